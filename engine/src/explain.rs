@@ -522,8 +522,8 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
     if denom.is_one() { bracket(numer) } else { format!("{}/{below}", bracket(numer)) }
 }
 
-/// Proved bounds of the rounding errors of the values, and of a point of a curve, each with what it is about; nothing for
-/// families for which no code can be generated.
+/// Proved bounds of the rounding errors of the values, and of a point of a curve or patch, each with what it is about;
+/// nothing for families for which no code can be generated.
 ///
 /// ε is the distance from 1 to the next float. Functions with the same bound share a line.
 pub fn rounding(family: &Family) -> Vec<(String, String)> {
@@ -534,7 +534,7 @@ pub fn rounding(family: &Family) -> Vec<(String, String)> {
     let mut lines = rounding::grouped(&errors, family, "no bound found");
     if let Some((error, _)) = state::point_error(family) {
         let text = format!("{error} times the largest control point, in each coordinate");
-        lines.push((String::from("C(t)"), text));
+        lines.push((state::point_name(family), text));
     }
     lines
 }

@@ -102,6 +102,12 @@ pub fn bernstein<P: Point, const M: usize>(coefficients: [P; M], s: P::Scalar, x
     nested(&coefficients, &const { binomials::<M>() }, s, x)
 }
 
+/// `x`, or 0 if it is negative; NaN stays NaN.
+#[inline]
+pub fn cut_off<S: Scalar>(x: S) -> S {
+    if x < S::ZERO { S::ZERO } else { x }
+}
+
 /// The tangent.
 #[inline]
 pub fn tan<S: Scalar>(x: S) -> S {

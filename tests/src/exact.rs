@@ -1,11 +1,12 @@
 //! Exact reference values of families: straight from the formulas of the spec, by rational arithmetic.
 
+use std::borrow::Cow;
 use std::rc::Rc;
 
 use basis_engine::algebra::number::binomial;
 use basis_engine::algebra::poly::{Poly, PolyExt};
 use basis_engine::algebra::rational::Rational;
-use basis_engine::{Disk, Family, Library, Prover, Subject, source};
+use basis_engine::{ClaimKind, Disk, Family, Library, Prover, Subject, decide, generate, source};
 use basis_runtime::Scalar;
 
 use crate::random::Random;
@@ -41,7 +42,7 @@ pub fn largest<S: Scalar>() -> f64 {
     if size_of::<S>() == 4 { f64::from(f32::MAX) } else { f64::MAX }
 }
 
-/// A family of one order, as the engine understands its spec.
+/// A family of one order, as the engine understands its spec, with the functions marked that are proved to be nonnegative.
 #[derive(Clone, Debug)]
 pub struct Reference {
     /// The family.
@@ -57,10 +58,13 @@ impl Reference {
         let path = crate::spec(file).to_string_lossy().into_owned();
         let source = source::read(&Disk, &path, &[]).unwrap_or_else(|e| panic!("{e}"));
         let library = Library::from_source(&Disk, &Prover, source);
-        let item = library.item(name, order).unwrap_or_else(|e| panic!("{name}{order:?}: {e:?}"));
-        match item.subject {
-            Subject::Family(family) => Self { family },
-            Subject::Theorem(_) => panic!("{name} is a theorem"),
+        let mut item = library.item(name, order).unwrap_or_else(|e| panic!("{name}{order:?}: {e:?}"));
+        item.claims.retain(|claim| matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. }));
+        let checked = decide(item);
+        let Subject::Family(family) = &checked.subject else { panic!("{name} is a theorem") };
+        match generate::evaluated(family, &checked.claims) {
+            Ok(Cow::Owned(evaluated)) => Self { family: Rc::new(evaluated) },
+            _ => Self { family: Rc::clone(family) },
         }
     }
 

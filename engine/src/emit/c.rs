@@ -98,6 +98,11 @@ impl Language for C {
         format!("({a} == {b} ? {} : {c})", self.literal(&Rational::ZERO))
     }
 
+    fn cut_off(&self, name: &str) -> String {
+        let zero = self.literal(&Rational::ZERO);
+        format!("({name} < {zero} ? {zero} : {name})")
+    }
+
     fn is_single(&self) -> bool {
         self.0 == Scalar::F32
     }

@@ -32,7 +32,7 @@ pub struct FamilyCode<'a> {
     pub labels: Vec<String>,
     /// Bounds of the rounding errors of the values, one for each function; `None` where none is proved.
     pub rounding: Vec<Option<Error>>,
-    /// A bound of the rounding errors of each component of a point of a curve, from its control points, relative to
+    /// A bound of the rounding errors of each component of a point of a curve or patch, from its control points, relative to
     /// the largest absolute value of that component of a control point; `None` where none is proved.
     pub point_rounding: Option<Error>,
     /// The names of what is computed once from the shape values: the inputs [`Input::Shape`] after these.
@@ -169,7 +169,7 @@ impl<'a> FamilyCode<'a> {
         if let Some(error) = &point_rounding {
             let end =
                 documentation.iter().position(|line| line == "# Claims").unwrap_or(documentation.len() + 1);
-            documentation.splice(end - 1..end - 1, point_lines(error));
+            documentation.splice(end - 1..end - 1, point_lines(family, error));
         }
         let labels = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
         let assumptions = assumptions(family);
@@ -289,12 +289,16 @@ impl<'a> FamilyCode<'a> {
 }
 
 /// A bound of the errors of points, for the documentation.
-fn point_lines(error: &Error) -> Vec<String> {
+fn point_lines(family: &Family, error: &Error) -> Vec<String> {
     let epsilons = decimal(error.epsilons());
-    let line = format!(
-        "Rounding error of each component of a point of a curve, binding included, proved to be at most: {epsilons} ε times the largest absolute value of that component of a control point."
+    let of = if family.interval().is_some() { "curve" } else { "patch" };
+    let mut line = format!(
+        "Rounding error of each component of a point of a {of}, binding included, proved to be at most: {epsilons} ε times the largest absolute value of that component of a control point"
     );
-    vec![String::new(), line]
+    if !family.simplices.is_empty() {
+        line += ", where the barycentric coordinates add up to 1";
+    }
+    vec![String::new(), line + "."]
 }
 
 /// The name of an item in a file.

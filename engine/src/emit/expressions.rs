@@ -58,6 +58,12 @@ impl Expressions {
         for operand in steps.steps.iter().flat_map(Step::operands).chain(steps.outputs.iter().copied()) {
             uses[operand] += 1;
         }
+        // What is cut off is compared and taken.
+        for step in &steps.steps {
+            if let Step::CutOff(a) = step {
+                uses[*a] += 1;
+            }
+        }
         let mut names = taken.to_vec();
         let mut unnamed = 0;
         let mut lets = Vec::new();
@@ -70,7 +76,8 @@ impl Expressions {
             let mut text = expression(step, &texts, language, input, &constant);
             let computed = text.form != Form::Atom;
             let name = steps.name(k).filter(|_| computed);
-            let signed = matches!(step, Step::Neg(_)) && uses[k] < 3;
+            let cut_off = steps.steps.contains(&Step::CutOff(k));
+            let signed = matches!(step, Step::Neg(_)) && uses[k] < 3 && !cut_off;
             if name.is_some() || (computed && !signed && uses[k] > 1) || text.value.text.len() > WIDTH {
                 let name = match name {
                     Some(name) => language.free(name, &names),
@@ -130,6 +137,7 @@ fn expression<'a>(
         Step::Unless(a, b, c) => {
             (language.unless(&[*a, *b, *c].map(|k| within(k, first_factor))), Form::Call)
         }
+        Step::CutOff(a) => (language.cut_off(&texts[*a].value.text), Form::Call),
     };
     let depends = |which: fn(&Value) -> bool| step.operands().iter().any(|k| which(&texts[*k].value));
     let (of_points, of_domain) = match step {
@@ -190,6 +198,9 @@ mod tests {
         }
         fn unless(&self, parts: &[String; 3]) -> String {
             panic!("{parts:?} is not written here")
+        }
+        fn cut_off(&self, name: &str) -> String {
+            name.to_string()
         }
         fn family(&self, code: &FamilyCode<'_>) -> Result<String, Diagnostic> {
             let Expressions { lets, outputs } = Expressions::new(

@@ -89,6 +89,9 @@ pub trait Language {
     /// 0 where the first two expressions are equal, else the third; all can stand beside an operator, and so can this.
     fn unless(&self, parts: &[String; 3]) -> String;
 
+    /// A name, or 0 where its value is negative, as an expression of the form of a call.
+    fn cut_off(&self, name: &str) -> String;
+
     /// Whether it computes with `f32` only, so that every constant has to be one.
     fn is_single(&self) -> bool;
 
@@ -134,11 +137,13 @@ pub fn emit(language: &dyn Language, job: &Job<'_>) -> Result<String, Vec<Diagno
     let mut names = Names::default();
     for wanted in job.items {
         let code = match &wanted.checked.subject {
-            Subject::Family(family) => generate::evaluated(family).and_then(|evaluated| {
-                let code = FamilyCode::new(family, &evaluated, wanted, language)?;
-                names.insert(&code.name, &wanted.checked.subject)?;
-                Ok((code.documentation.clone(), language.family(&code)?))
-            }),
+            Subject::Family(family) => {
+                generate::evaluated(family, &wanted.checked.claims).and_then(|evaluated| {
+                    let code = FamilyCode::new(family, &evaluated, wanted, language)?;
+                    names.insert(&code.name, &wanted.checked.subject)?;
+                    Ok((code.documentation.clone(), language.family(&code)?))
+                })
+            }
             Subject::Theorem(theorem) => JoinCode::new(theorem, wanted, language).and_then(|code| {
                 names.insert(&code.name, &wanted.checked.subject)?;
                 Ok((code.documentation.clone(), language.join(&code)?))

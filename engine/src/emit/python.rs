@@ -204,6 +204,10 @@ impl Language for Python {
         format!("({c} * ({a} != {b}))")
     }
 
+    fn cut_off(&self, name: &str) -> String {
+        format!("({name} * ({name} > 0.0))")
+    }
+
     fn is_single(&self) -> bool {
         false
     }

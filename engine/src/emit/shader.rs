@@ -272,6 +272,10 @@ impl Language for Shader {
         }
     }
 
+    fn cut_off(&self, name: &str) -> String {
+        format!("max({name}, {})", self.literal(&Rational::ZERO))
+    }
+
     fn is_single(&self) -> bool {
         true
     }

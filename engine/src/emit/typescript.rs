@@ -171,6 +171,10 @@ impl Language for TypeScript {
         format!("({a} === {b} ? 0.0 : {c})")
     }
 
+    fn cut_off(&self, name: &str) -> String {
+        format!("Math.max(0.0, {name})")
+    }
+
     fn is_single(&self) -> bool {
         false
     }

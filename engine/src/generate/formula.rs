@@ -13,11 +13,18 @@ pub(crate) fn factored(family: &Family, form: &IntervalForm, function: &Function
     if f.inner.is_empty() {
         return String::from("0");
     }
-    let whole = f.inner_monomial(form).scale(&f.content);
+    let mut whole = f.inner_monomial(form).scale(&f.content);
     let ends = distances(form.var, &form.low, &form.high);
-    let square = f.square_monomial(form).map(|h| (h, 2));
+    let square = f.square_monomial(form).map(|h| squared(&h, &mut whole, &family.names));
     let powers: Vec<(Poly, u32)> = ends.into_iter().zip([f.x_power, f.s_power]).chain(square).listed();
     product(&whole, &powers, &function.denom, &family.names)
+}
+
+/// Whether [`factored`] writes a sum that is no product.
+pub(super) fn is_sum(form: &IntervalForm, function: &FunctionForm) -> bool {
+    let f = &function.factored;
+    let alone = f.x_power + f.s_power == 0 && f.square.is_empty() && function.denom.is_one();
+    alone && f.inner_monomial(form).len() > 1
 }
 
 /// A function on a box as a product: number · polynomial · powers of the distances to the faces.
@@ -26,6 +33,7 @@ pub(crate) fn factored_on_box(family: &Family, form: &PatchForm, function: &Patc
         return String::from("0");
     }
     let (mut whole, mut powers) = (function.inner_polynomial(form), Vec::new());
+    let square = function.square_polynomial(form).map(|h| squared(&h, &mut whole, &family.names));
     let mut rest = function.powers.as_slice();
     for group in &form.groups {
         let (exponents, others) = rest.split_at(group.vars.len() + 1);
@@ -42,7 +50,18 @@ pub(crate) fn factored_on_box(family: &Family, form: &PatchForm, function: &Patc
         whole = whole.scale(&unit.pow(exponents.iter().sum()));
         powers.extend(distances(*var, low, high).into_iter().zip(exponents.iter().copied()));
     }
+    powers.extend(square);
     product(&whole, &powers, &function.denom, &family.names)
+}
+
+/// h² with whole coefficients without a common divisor, the first one positive; the square of what h is divided by comes to what
+/// stands before it.
+fn squared(h: &Poly, whole: &mut Poly, names: &[String]) -> (Poly, u32) {
+    let content = h.numeric_content();
+    let content = if h.display(names).to_string().starts_with('-') { -content } else { content };
+    let Some(factor) = content.recip() else { return (h.clone(), 2) };
+    *whole = whole.scale(&content.pow(2));
+    (h.scale(&factor), 2)
 }
 
 /// The distances t − low and high − t.

@@ -8,8 +8,8 @@ use super::code::shell::Shell;
 use super::code::tokens::{doc, number, site};
 use super::ends::Ends;
 use super::formula::factored;
-use super::rounding;
 use super::rust::Body;
+use super::{nonnegative, rounding};
 use crate::claim::Claim;
 use crate::model::Family;
 use crate::plan::form::IntervalForm;
@@ -30,7 +30,8 @@ pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, V
             #basis
         }
     };
-    let docs = docs::family(family, &formulas, &rounding::lines(&errors, family), verdicts, shell.decided);
+    let bounds = [nonnegative::on_interval(family, form), rounding::lines(&errors, family)].concat();
+    let docs = docs::family(family, &formulas, &bounds, verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }
 

@@ -10,6 +10,7 @@ mod formula;
 mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
+mod nonnegative;
 mod patch;
 pub(crate) mod rational;
 #[cfg(any(test, feature = "rounding"))]
@@ -117,12 +118,24 @@ fn no_type(family: &Family) -> Option<Diagnostic> {
     Some(Diagnostic::error(family.place.clone(), message).help(NO_CODE))
 }
 
-/// The family as it is evaluated: in polynomials where the domain variable stands beside its sine, and in the tangents of its
-/// shape parameters.
+/// The family as it is evaluated: in polynomials where the domain variable stands beside its sine, in the tangents of its
+/// shape parameters, and with the functions marked that its claims prove to be nonnegative.
 ///
 /// # Errors
 /// Why no code is generated for it.
-pub fn evaluated(family: &Family) -> Result<Cow<'_, Family>, Diagnostic> {
+pub fn evaluated<'a>(
+    family: &'a Family,
+    verdicts: &[(Claim, Verdict)],
+) -> Result<Cow<'a, Family>, Diagnostic> {
+    let Some(marked) = nonnegative::marked(family, verdicts) else { return in_evaluated_form(family) };
+    let owned = match in_evaluated_form(&marked)? {
+        Cow::Owned(evaluated) => Some(evaluated),
+        Cow::Borrowed(_) => None,
+    };
+    Ok(Cow::Owned(owned.unwrap_or(marked)))
+}
+
+fn in_evaluated_form(family: &Family) -> Result<Cow<'_, Family>, Diagnostic> {
     if let Some(error) = no_type(family) {
         return Err(error);
     }
@@ -200,12 +213,17 @@ pub fn documentation(
     verdicts: &[(Claim, Verdict)],
     decided: &str,
 ) -> Option<Vec<String>> {
-    let formulas = match (rational_forms(family), IntervalForm::new(family)) {
-        (Some(forms), _) => rational::formulas(told, family, &forms),
-        (_, Some(form)) => interval::formulas(family, &form),
-        _ => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
+    let (formulas, signs) = match (rational_forms(family), IntervalForm::new(family)) {
+        (Some(forms), _) => {
+            (rational::formulas(told, family, &forms), nonnegative::of_quotients(family, &forms))
+        }
+        (_, Some(form)) => (interval::formulas(family, &form), nonnegative::on_interval(family, &form)),
+        _ => {
+            let plans = crate::plan::patch::PatchPlans::new(family)?;
+            (patch::formulas(&plans), nonnegative::on_patch(&plans))
+        }
     };
-    let bounds = rounding::lines(errors, family);
+    let bounds = [signs, rounding::lines(errors, family)].concat();
     Some(code::docs::family(told, &formulas, &bounds, verdicts, decided))
 }
 
@@ -234,7 +252,7 @@ pub(crate) fn definition(
     let fields = names::fields(family)?;
     let Options { runtime, decided, .. } = options;
     let told = family;
-    let evaluated = evaluated(family).map_err(|error| vec![error])?;
+    let evaluated = evaluated(family, verdicts).map_err(|error| vec![error])?;
     let family = &*evaluated;
     let shell = Shell { family, name, fields, runtime, decided };
     let code = match (rational_forms(family), IntervalForm::new(family)) {

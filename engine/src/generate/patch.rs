@@ -7,8 +7,8 @@ use super::code::docs;
 use super::code::shell::Shell;
 use super::code::tokens::{doc, number, site};
 use super::formula::factored_on_box;
-use super::rounding;
 use super::rust::Body;
+use super::{nonnegative, rounding};
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Factor, label};
@@ -30,7 +30,7 @@ pub(super) fn emit(shell: &Shell<'_>, verdicts: &[(Claim, Verdict)]) -> Result<T
     };
     let emitter = Emitter { shell, plans };
     let errors = rounding::errors(family);
-    let bounds = rounding::lines(&errors, family);
+    let bounds = [nonnegative::on_patch(&emitter.plans), rounding::lines(&errors, family)].concat();
     let docs = docs::family(family, &formulas(&emitter.plans), &bounds, verdicts, shell.decided);
     let constant = rounding::constant(&errors, shell.runtime);
     Ok(shell.definition(&docs, &emitter.methods(), &emitter.traits(&constant)))

@@ -7,7 +7,8 @@ use quote::{ToTokens, quote_spanned};
 use super::code::docs;
 use super::code::shell::Shell;
 use super::code::tokens::{doc, float, number, site};
-use super::formula::factored;
+use super::formula::{factored, is_sum};
+use super::nonnegative;
 use super::rust::Body;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -44,7 +45,8 @@ pub(super) fn emit(
         }
     };
     let formulas = formulas(told, family, forms);
-    let docs = docs::family(told, &formulas, &[], verdicts, shell.decided);
+    let docs =
+        docs::family(told, &formulas, &nonnegative::of_quotients(family, forms), verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }
 
@@ -81,7 +83,11 @@ fn exact_formulas(family: &Family, forms: &[RationalForm]) -> Vec<String> {
     // A name that the family does not have.
     let taken = |name: &str| family.names.iter().any(|known| known == name) || family.function_name == name;
     let below = ["w", "d", "q", "below"].into_iter().find(|name| !taken(name)).unwrap_or("denominator");
-    let function = |(k, label)| format!("{label} = {}/{below}", text(&form.numerators.functions[k]));
+    let function = |(k, label)| {
+        let f = &form.numerators.functions[k];
+        let above = if is_sum(&form.numerators, f) { format!("({})", text(f)) } else { text(f) };
+        format!("{label} = {above}/{below}")
+    };
     let mut lines: Vec<String> = labels.map(function).listed();
     lines.push(format!("where {below} = {}", text(&form.denominator)));
     lines
@@ -253,9 +259,20 @@ impl OnSpan<'_> {
             } else {
                 quote_spanned!(site()=> #runtime::RationalBasis::numerators(self))
             };
+            let values = quote_spanned!(site()=> #runtime::__private::bernstein(#table, s, x));
+            let nonnegative = self.nonnegative();
+            let values = if nonnegative.is_empty() {
+                values
+            } else {
+                quote_spanned! {site()=>
+                    let mut values = #values;
+                    #(values[#nonnegative] = #runtime::__private::cut_off(values[#nonnegative]);)*
+                    values
+                }
+            };
             return quote_spanned! {site()=>
                 let [s, x] = { #chart }.coordinates(t);
-                #runtime::__private::bernstein(#table, s, x)
+                #values
             };
         }
         let Body { lets, outputs } = self.body(&rational::values(family, form));
@@ -264,6 +281,12 @@ impl OnSpan<'_> {
             quote_spanned!(site()=> let [s, x] = { #chart }.coordinates(t);)
         });
         quote_spanned!(site()=> let _ = t; #coordinates #lets let _ = (s, x); [#(#outputs),*])
+    }
+
+    /// The positions of the functions that are proved to be nonnegative.
+    fn nonnegative(&self) -> Vec<Literal> {
+        let marks = self.family.nonnegative.iter().enumerate().filter(|(_, mark)| **mark);
+        marks.map(|(k, _)| Literal::usize_unsuffixed(k)).listed()
     }
 
     fn numerators(&self) -> TokenStream {

@@ -119,6 +119,10 @@ impl Printer<'_> {
                 let (low, high, t) = (number(low), number(high), self.code(*t));
                 quote_spanned!(site()=> #runtime::__private::unit([#low, #high], #t))
             }
+            Node::CutOff(a) => {
+                let a = self.code(*a);
+                quote_spanned!(site()=> #runtime::__private::cut_off(#a))
+            }
             Node::List(all) => {
                 let all = self.codes(all);
                 quote_spanned!(site()=> [#(#all),*])

@@ -61,6 +61,9 @@ pub struct Family {
     pub pieces: Vec<Rc<Family>>,
     /// The functions of the lowest order, when these were raised from them.
     pub base: Vec<Function>,
+    /// Which functions were proved to be nonnegative; empty before claims are decided. Generated code cuts them off at 0
+    /// where rounding could make them negative.
+    pub nonnegative: Vec<bool>,
     /// What holds on the declared ranges, so that the formulas mean something.
     pub obligations: Vec<Obligation>,
     /// The factor of the usual work that the provers may spend on a claim.

@@ -13,6 +13,8 @@ pub(super) struct Variable {
     pub(super) value: Ref,
     /// 1 minus the value, where that is known without a difference.
     pub(super) complement: Option<Ref>,
+    /// Whether the value is compared with the ends of the range, and not computed.
+    pub(super) is_given: bool,
 }
 
 /// A plan that is being made. Coordinates come first, then their powers, then expressions in shape values.
@@ -53,6 +55,11 @@ impl Builder {
     pub(super) fn push(&mut self, node: Node) -> Ref {
         self.nodes.push(node);
         Ref(self.nodes.len() - 1)
+    }
+
+    /// The number of nodes.
+    pub(super) fn len(&self) -> usize {
+        self.nodes.len()
     }
 
     pub(super) fn node(&self, at: Ref) -> &Node {

@@ -206,7 +206,7 @@ impl Factored {
         let terms = self.inner.iter().zip(0..);
         let whole = terms
             .fold(Poly::zero(), |sum, (c, j)| &sum + &(&Poly::var(var).pow(j) * c).scale(&binomial(n, j)));
-        let Some((square, rest)) = square_factor(&whole, var) else { return self };
+        let Some((square, rest)) = square_factor(&whole, &[var]) else { return self };
         let table = |p: &Poly| {
             let own = p.coefficients_in(var);
             let degree = own.len() as u32 - 1;
@@ -276,7 +276,7 @@ fn expanded(coefficients: &[Poly], form: &IntervalForm) -> Poly {
 
 /// Whether Bernstein coefficients are all ≥ 0, or all ≤ 0, for all shape values: as numbers, or as polynomials whose own
 /// coefficients show it.
-fn has_one_sign(coefficients: &[Poly], region: &Region) -> bool {
+pub(super) fn has_one_sign(coefficients: &[Poly], region: &Region) -> bool {
     let domain = Rc::new(Domain::of(region.clone()));
     let fine = |p: &Poly| {
         p.as_constant().map_or_else(
@@ -295,12 +295,13 @@ fn has_one_sign(coefficients: &[Poly], region: &Region) -> bool {
 const SQUARE: u64 = 2_000_000;
 
 /// h and g with p = h²·g, the coefficients of h being whole numbers without a common divisor; `None` where h would be
-/// without the variable.
-fn square_factor(p: &Poly, var: Var) -> Option<(Poly, Poly)> {
+/// without these variables.
+pub(super) fn square_factor(p: &Poly, vars: &[Var]) -> Option<(Poly, Poly)> {
+    let depends = |p: &Poly| vars.iter().any(|var| p.depends_on(*var));
     let factors = square_free(p, &mut Work::new(SQUARE))?;
-    let factors = factors.iter().filter(|(factor, _)| factor.depends_on(var));
+    let factors = factors.iter().filter(|(factor, _)| depends(factor));
     let square = factors.fold(Poly::one(), |h, (factor, e)| &h * &factor.pow(e / 2));
-    if !square.depends_on(var) {
+    if !depends(&square) {
         return None;
     }
     let square = square.scale(&square.numeric_content().recip()?);

@@ -18,6 +18,7 @@ pub fn values(family: &Family, form: &IntervalForm) -> Plan {
         builder.coordinates = vec![(String::from("s"), s), (String::from("x"), x)];
     }
     let values = form.functions.mapped(|f| value(&mut builder, &f.factored, &f.denom));
+    let values = builder.cut_off(values, &family.nonnegative);
     builder.finish(values)
 }
 
@@ -54,6 +55,11 @@ impl Builder {
     /// h², where h is computed once.
     fn square(&mut self, coefficients: &[Poly]) -> Ref {
         let root = self.bernstein(coefficients);
+        self.squared(root)
+    }
+
+    /// The square of what is computed once.
+    pub(super) fn squared(&mut self, root: Ref) -> Ref {
         self.root_lets.push(Let { names: vec![format!("_root{}", self.root_lets.len())], value: root });
         self.push(Node::Product(root, root))
     }

@@ -13,6 +13,7 @@
 //! | `ends` | control points next to an end of a curve, from its derivatives there |
 //! | `join` | the control points that a join of a spec determines |
 //! | `scalars`, `powers` | what these are built of: expressions in shape values, powers of coordinates |
+//! | `sign` | which values rounding could make negative |
 //!
 //! The exact formulas that are planned are in [`form`] for families on an interval and in [`patch_form`] for those on
 //! simplices and boxes.
@@ -28,6 +29,7 @@ pub mod patch_form;
 mod powers;
 pub mod rational;
 mod scalars;
+mod sign;
 
 use crate::algebra::rational::Rational;
 use build::Builder;
@@ -111,6 +113,8 @@ pub enum Node {
         /// The parameter.
         t: Ref,
     },
+    /// a, or 0 where a is negative: the value of something that is proved to be nonnegative.
+    CutOff(Ref),
     /// Several numbers.
     List(Vec<Ref>),
     /// An element of a pair or a list.

@@ -83,6 +83,7 @@ impl<'a> PatchPlans<'a> {
         self.coordinates(&mut builder);
         let values = self.form.functions.mapped(|f| self.value(f, &mut builder));
         if self.steps == 0 {
+            let values = builder.cut_off(values, &self.family.nonnegative);
             return builder.finish(values);
         }
         let (lists, values) = self.raised(&mut builder, values);
@@ -116,7 +117,8 @@ impl<'a> PatchPlans<'a> {
         let name = || vec![String::from("b")];
         let mut list = builder.push(Node::List(values));
         let mut lists = vec![Let { names: name(), value: list }];
-        for order in self.lowest()..self.lowest() + self.steps {
+        let last = self.lowest() + self.steps;
+        for order in self.lowest()..last {
             let before = multi_indices(corners, order);
             let parts = (0..before.len()).map(|place| builder.push(Node::Part(list, place))).listed();
             let mut entries = Vec::new();
@@ -138,44 +140,51 @@ impl<'a> PatchPlans<'a> {
                 // An index of an order above 0 has a part above 0.
                 entries.extend(sum);
             }
+            if order + 1 == last {
+                entries = builder.cut_off(entries, &self.family.nonnegative);
+            }
             list = builder.push(Node::List(entries));
             lists.push(Let { names: name(), value: list });
         }
         (lists, list)
     }
 
-    /// content · powers · Σ inner · monomial, over the denominator.
+    /// content · h² · Σ inner · monomial · powers, over the denominator.
     fn value(&self, f: &PatchFunction, builder: &mut Builder) -> Ref {
         let mut product: Vec<Ref> = Vec::new();
         if !f.content.is_one() {
             product.push(builder.number(f.content.clone()));
         }
+        if let Some((degrees, root)) = &f.square {
+            let root = self.sum(root, degrees, builder);
+            product.push(builder.squared(root));
+        }
         match f.inner.as_slice() {
             [] => return builder.number(Rational::ZERO),
             [one] if one.is_one() => {}
             [one] => product.push(builder.scalar(one)),
-            _ => product.push(self.inner(f, builder)),
+            _ => product.push(self.sum(&f.inner, &f.inner_degrees, builder)),
         }
         product.extend(builder.monomial(&f.powers));
         product.extend(builder.reciprocal(&f.denom));
         builder.product(&product)
     }
 
-    /// The sum: written out as long as it is short, which is faster, else by nested multiplication in a loop.
-    fn inner(&self, f: &PatchFunction, builder: &mut Builder) -> Ref {
-        let present = f.inner.iter().filter(|c| !c.is_zero()).count();
+    /// A sum: written out as long as it is short, which is faster, else by nested multiplication in a loop.
+    fn sum(&self, coefficients: &[Poly], degrees: &[u32], builder: &mut Builder) -> Ref {
+        let present = coefficients.iter().filter(|c| !c.is_zero()).count();
         if present > MAX_TERMS && !self.family.is_product() {
-            let coefficients = f.inner.mapped(|c| builder.scalar(c));
+            let coefficients = coefficients.mapped(|c| builder.scalar(c));
             let at = builder.coordinates.mapped(|(_, x)| *x);
             return builder.push(if self.family.is_simplex() {
-                Node::SimplexSum { coefficients, at, degree: f.inner_degrees[0] }
+                Node::SimplexSum { coefficients, at, degree: degrees[0] }
             } else {
                 let units = at.chunks(2).map(|pair| [pair[1], pair[0]]).listed();
-                Node::BoxSum { coefficients, degrees: f.inner_degrees.clone(), units }
+                Node::BoxSum { coefficients, degrees: degrees.to_vec(), units }
             });
         }
         let mut sum: Option<Ref> = None;
-        let terms = f.inner.iter().zip(exponents(&self.form.groups, &f.inner_degrees));
+        let terms = coefficients.iter().zip(exponents(&self.form.groups, degrees));
         for (c, e) in terms.filter(|(c, _)| !c.is_zero()) {
             let negative = c.as_constant().is_some_and(|c| c.is_negative());
             let c = if negative { -c } else { c.clone() };

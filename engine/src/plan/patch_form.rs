@@ -4,8 +4,10 @@
 //! (x, s), x = (t − low)/(high − low), for each of its variables. In every group a function is made homogeneous with
 //! the powers of the sum, which is 1; its coefficients are then those of the Bernstein form, up to multinomial factors.
 
+use super::form::{MAX_CONTENT, has_one_sign, square_factor};
 use crate::algebra::number::binomial;
 use crate::algebra::poly::{Monomial, Poly, Var};
+use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::model::{Factor, Family, Function};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -36,7 +38,8 @@ pub struct Group {
 
 /// One function; every coefficient is to be divided by `denom`, which contains shape parameters only.
 ///
-/// The function is content · (powers of the coordinates) · Σ `inner[α]` · (the monomial with the exponents α).
+/// The function is content · (powers of the coordinates) · h² · Σ `inner[α]` · (the monomial with the exponents α), h = 1 or
+/// the sum of `square`.
 #[derive(Clone, Debug)]
 pub struct PatchFunction {
     /// What stands below the fraction line.
@@ -49,6 +52,8 @@ pub struct PatchFunction {
     pub inner_degrees: Vec<u32>,
     /// Its coefficients, in the order of [`exponents`]; none for the function 0.
     pub inner: Vec<Poly>,
+    /// The degrees of h and its coefficients, likewise, where the coefficients without a square are not all of one sign.
+    pub square: Option<(Vec<u32>, Vec<Poly>)>,
     /// The coefficients of the function in the Bernstein basis of the family's degrees, in the same order.
     pub bernstein: Vec<Poly>,
 }
@@ -71,6 +76,7 @@ impl PatchForm {
             return None;
         }
         let lattice = exponents(&groups, &degrees);
+        let shapes = family.shape_region();
         let functions = functions
             .iter()
             .zip(&numers)
@@ -82,7 +88,9 @@ impl PatchForm {
                 let (content, powers, inner_degrees, inner) =
                     factored(&homogeneous(numer, &groups, own), &groups, own);
                 let denom = f.value.denom().clone();
-                PatchFunction { denom, content, powers, inner_degrees, inner, bernstein }
+                let square = None;
+                PatchFunction { denom, content, powers, inner_degrees, inner, square, bernstein }
+                    .without_square(&groups, &shapes)
             })
             .listed();
         Some(Self { groups, degrees, functions })
@@ -95,18 +103,56 @@ impl PatchForm {
 }
 
 impl PatchFunction {
+    /// With h² taken out of the sum, where that helps; the shape parameters lie in `shapes`.
+    fn without_square(mut self, groups: &[Group], shapes: &Region) -> Self {
+        if self.inner_degrees.iter().sum::<u32>() < 2 || has_one_sign(&self.inner, shapes) {
+            return self;
+        }
+        let coordinates =
+            groups.iter().flat_map(|group| Group::with_last(group.vars.mapped(|v| Poly::var(*v)))).listed();
+        let whole = sum(&self.inner, &exponents(groups, &self.inner_degrees), &coordinates);
+        let vars = groups.iter().flat_map(|group| group.vars.iter().copied()).listed();
+        let Some((square, rest)) = square_factor(&whole, &vars) else { return self };
+        let own = degrees(&rest, groups);
+        let (content, powers, inner_degrees, inner) =
+            factored(&homogeneous(&rest, groups, &own), groups, &own);
+        let content = &self.content * &content;
+        if content.bits() > MAX_CONTENT {
+            return self;
+        }
+        let own = degrees(&square, groups);
+        let terms = homogeneous(&square, groups, &own);
+        let root = exponents(groups, &own).mapped(|e| terms.get(e).cloned().unwrap_or_else(Poly::zero));
+        let powers = self.powers.iter().zip(powers).map(|(a, b)| a + b).listed();
+        (self.content, self.powers, self.inner_degrees, self.inner) = (content, powers, inner_degrees, inner);
+        self.square = Some((own, root));
+        self
+    }
+
+    /// h in the independent variables, for reading; nothing if it is 1.
+    pub fn square_polynomial(&self, form: &PatchForm) -> Option<Poly> {
+        let (degrees, root) = self.square.as_ref()?;
+        let coordinates: Vec<Poly> = form.groups.iter().flat_map(Group::coordinates).listed();
+        Some(sum(root, &exponents(&form.groups, degrees), &coordinates))
+    }
+
     /// content · Σ `inner[α]` · (the monomial with the exponents α) in the independent variables, for reading.
     pub fn inner_polynomial(&self, form: &PatchForm) -> Poly {
         let coordinates: Vec<Poly> = form.groups.iter().flat_map(Group::coordinates).listed();
-        let mut sum = Poly::zero();
-        for (c, e) in self.inner.iter().zip(exponents(&form.groups, &self.inner_degrees)) {
-            if !c.is_zero() {
-                let term = coordinates.iter().zip(e).fold(c.clone(), |term, (x, e)| &term * &x.pow(e));
-                sum = &sum + &term;
-            }
-        }
-        sum.scale(&self.content)
+        sum(&self.inner, &exponents(&form.groups, &self.inner_degrees), &coordinates).scale(&self.content)
     }
+}
+
+/// Σ c·(the monomial with these exponents in the coordinates).
+fn sum(coefficients: &[Poly], exponents: &[Vec<u32>], coordinates: &[Poly]) -> Poly {
+    let mut sum = Poly::zero();
+    for (c, e) in coefficients.iter().zip(exponents) {
+        if !c.is_zero() {
+            let term = coordinates.iter().zip(e).fold(c.clone(), |term, (x, e)| &term * &x.pow(*e));
+            sum = &sum + &term;
+        }
+    }
+    sum
 }
 
 impl Group {
@@ -117,6 +163,11 @@ impl Group {
             let unit = (high - low).recip().unwrap_or(Rational::ONE);
             *first = (&*first - &Poly::constant(low.clone())).scale(&unit);
         }
+        Self::with_last(all)
+    }
+
+    /// Coordinates with the last one, which is 1 minus their sum.
+    fn with_last(mut all: Vec<Poly>) -> Vec<Poly> {
         let last = all.iter().fold(Poly::one(), |rest, x| &rest - x);
         all.push(last);
         all
@@ -349,6 +400,12 @@ pub fn factored_text(family: &Family, f: &PatchFunction, form: &PatchForm) -> St
             _ => format!("{text}*{m}"),
         };
     }
+    let square = f.square_polynomial(form).map(|h| format!("({})^2", h.display(&family.names)));
+    let powers = match square {
+        Some(square) if powers.is_empty() => square,
+        Some(square) => format!("{powers}*{square}"),
+        None => powers,
+    };
     let mut several = count > 1 || f.inner.iter().any(|c| c.len() > 1);
     if several {
         let plain = f.inner_polynomial(form).scale(&number.recip().unwrap_or(Rational::ONE));

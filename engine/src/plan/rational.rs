@@ -34,6 +34,7 @@ pub fn values(family: &Family, form: &RationalForm) -> Plan {
             _ => numerator,
         }
     });
+    let values = builder.cut_off(values, &family.nonnegative);
     names.extend(denominator.map(|value| Let { names: vec![String::from("w")], value }));
     builder.finish_with(names, values)
 }

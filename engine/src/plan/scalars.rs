@@ -20,11 +20,11 @@ impl Builder {
     /// A further variable, the shape value at a position.
     pub(super) fn variable(&mut self, position: usize, parameter: &Parameter) {
         let value = self.input(Input::Shape(position));
-        self.add(parameter.var, parameter.range.clone(), value);
+        self.add(parameter.var, parameter.range.clone(), value, true);
     }
 
-    fn add(&mut self, var: Var, range: Range, value: Ref) {
-        self.variables.push(Variable { var, range, value, complement: None });
+    fn add(&mut self, var: Var, range: Range, value: Ref, is_given: bool) {
+        self.variables.push(Variable { var, range, value, complement: None, is_given });
     }
 
     /// The variables of a family with angles that stand for tangents of its shape parameters, for these themselves, and
@@ -35,14 +35,15 @@ impl Builder {
             let Some(k) = self.variables.iter().position(|v| v.var == angle.var) else { continue };
             if angle.kind == Kind::Linear {
                 let itself = self.variables[k].value;
-                self.add(angle.itself, anywhere(), itself);
+                self.add(angle.itself, anywhere(), itself, false);
                 continue;
             }
             let tangent = self.input(Input::Shape(family.shapes.len() + j));
             // Not every function needs it.
             self.units.push(Let { names: vec![format!("_tangent{j}")], value: tangent });
             let itself = core::mem::replace(&mut self.variables[k].value, tangent);
-            self.add(angle.itself, anywhere(), itself);
+            self.variables[k].is_given = false;
+            self.add(angle.itself, anywhere(), itself, false);
             let to_one = self.variables[k].range.high.value().is_some_and(Rational::is_one);
             if angle.kind == Kind::Hyperbolic || to_one {
                 let complement =
@@ -53,7 +54,7 @@ impl Builder {
         }
         for (var, number) in family.analytic.values() {
             let value = self.number(number);
-            self.add(var, anywhere(), value);
+            self.add(var, anywhere(), value, false);
         }
     }
 
@@ -137,7 +138,7 @@ impl Builder {
         let mut rest = content.recip().map_or_else(|| poly.clone(), |factor| poly.scale(&factor));
         let mut factors: Vec<Ref> = Vec::new();
         for k in 0..self.variables.len() {
-            let Variable { var, range, value, complement } = &self.variables[k];
+            let Variable { var, range, value, complement, .. } = &self.variables[k];
             let (var, value, complement) = (*var, *value, *complement);
             let ends = [(range.low.value().cloned(), true), (range.high.value().cloned(), false)];
             for (end, from_low) in ends {

@@ -27,6 +27,8 @@ pub(super) struct Absolute {
     below: Poly,
     /// The shares, with each choice of signs of the points.
     choices: Vec<Shares>,
+    /// The coefficients of the points in the value, times the common denominator.
+    coefficients: Vec<Poly>,
 }
 
 /// The highest number n of points for which all choices of signs are tried: the work grows with 2ⁿ⁻¹.
@@ -42,7 +44,8 @@ impl Absolute {
             }
         }
         let shares = exact.shares(output, work)?;
-        let below = common_denominator(&mut shares.iter().map(|(_, share)| share), work)?;
+        let value = exact.value(output, work)?;
+        let below = common_denominator(&mut shares.iter().map(|(_, share)| share).chain([&value]), work)?;
         let mut polys = Vec::new();
         for (k, share) in &shares {
             polys.push((*k, coefficients(&over(share, &below)?, points)?));
@@ -70,7 +73,25 @@ impl Absolute {
             }
             choices.push(grouped);
         }
-        Some(Self { output, quotients, below, choices })
+        let coefficients = coefficients(&over(&value, &below)?, points)?;
+        Some(Self { output, quotients, below, choices, coefficients })
+    }
+
+    /// A bound of the sum of the absolute values of the coefficients of the points on a cell, with what it follows from.
+    pub(super) fn size_on(&self, cell: &Cell, work: &mut Work) -> Option<(Rational, Part)> {
+        let mut conditions = Conditions { cell, known: Vec::new() };
+        let value = conditions.absolute(&self.below, work)?;
+        let (mut sum, mut between) = (Poly::zero(), Rational::ZERO);
+        for coefficient in &self.coefficients {
+            match cell.sign(coefficient, work) {
+                Some(_) => sum = &sum + &conditions.absolute(coefficient, work)?,
+                None => between += &conditions.largest(coefficient, &value, work)?,
+            }
+        }
+        let sum = &sum + &value.scale(&between);
+        let size = cell.ratio(&sum, &value, work)?;
+        let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
+        Some((size, Part { domain, conditions, value, sums: vec![sum], rest: Rational::ZERO, own: None }))
     }
 
     /// The bound on a cell in u, and what it follows from; `None` if there is none.
@@ -106,7 +127,7 @@ impl Absolute {
             sums.push(sum);
         }
         let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
-        let part = Part { domain, conditions, value, sums, rest: rest.clone() };
+        let part = Part { domain, conditions, value, sums, rest: rest.clone(), own: None };
         Some((&most + &rest, part))
     }
 }
@@ -141,7 +162,7 @@ fn size(
                 let value = exact.value(k, work)?;
                 bounded(&value, conditions, work)?
             }
-            Step::Neg(a) => size(a)?.clone(),
+            Step::Neg(a) | Step::CutOff(a) => size(a)?.clone(),
             Step::Add(a, b) | Step::Sub(a, b) => size(a)? + size(b)?,
             Step::Mul(a, b) => size(a)? * size(b)?,
             Step::Div(a, b) => {

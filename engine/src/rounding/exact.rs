@@ -5,6 +5,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::plan::Input;
 use crate::steps::{Step, Steps};
 use basis_prover::collections::list::Listed;
 
@@ -34,13 +35,16 @@ impl<'a> Exact<'a> {
     pub(super) fn new(steps: &'a Steps, inputs: &Inputs) -> Option<Self> {
         let steps = &steps.steps[..];
         let mut variables = Vec::new();
+        let mut values = Vec::new();
         for step in steps {
+            let one = matches!(step, Step::Input(Input::Bound(_))) && inputs.ones;
+            values.push(one.then(|| Fraction::constant(Rational::ONE)));
             variables.push(match step {
-                Step::Input(input) => Some(inputs.variable(*input)?),
+                Step::Input(input) if !one => Some(inputs.variable(*input)?),
                 _ => None,
             });
         }
-        let (values, weights) = (vec![None; steps.len()], vec![None; steps.len()]);
+        let weights = vec![None; steps.len()];
         Some(Self { steps, variables, values, weights })
     }
 
@@ -67,6 +71,7 @@ impl<'a> Exact<'a> {
                 Step::Input(_) => Fraction::var(self.variables[k]?),
                 Step::Constant(c) => Fraction::constant(c.clone()),
                 Step::Neg(a) => -&of(a)?,
+                Step::CutOff(a) => of(a)?,
                 Step::Add(a, b) => of(a)?.add_within(&of(b)?, work)?,
                 Step::Sub(a, b) => of(a)?.sub_within(&of(b)?, work)?,
                 Step::Mul(a, b) => of(a)?.mul_within(&of(b)?, work)?,
@@ -83,7 +88,7 @@ impl<'a> Exact<'a> {
         match self.step(k) {
             Step::Input(_) => true,
             Step::Constant(c) => is_float(c),
-            Step::Neg(a) => self.is_exact(*a),
+            Step::Neg(a) | Step::CutOff(a) => self.is_exact(*a),
             Step::Mul(a, b) => {
                 (self.is_power(*a) && self.is_exact(*b)) || (self.is_power(*b) && self.is_exact(*a))
             }
@@ -109,7 +114,7 @@ impl<'a> Exact<'a> {
     pub(super) fn rounds(&mut self, k: usize, work: &mut Work) -> Option<Rounds> {
         Some(match self.step(k) {
             _ if self.is_exact(k) => Rounds::Never,
-            Step::Neg(_) => Rounds::Never,
+            Step::Neg(_) | Step::CutOff(_) => Rounds::Never,
             Step::Mul(a, b) if self.is_power(*a) || self.is_power(*b) => Rounds::Never,
             Step::Div(_, b) if self.is_power(*b) => Rounds::Never,
             Step::Add(a, b) | Step::Sub(a, b) if self.is_leaf(k) => {
@@ -180,6 +185,7 @@ impl<'a> Exact<'a> {
             match self.step(k) {
                 Step::Input(_) | Step::Constant(_) => {}
                 Step::Neg(a) => add(&mut weights, *a, -&w, work)?,
+                Step::CutOff(a) => add(&mut weights, *a, w, work)?,
                 Step::Add(a, b) => {
                     add(&mut weights, *a, w.clone(), work)?;
                     add(&mut weights, *b, w, work)?;
@@ -253,7 +259,7 @@ impl<'a> Exact<'a> {
             depths[k] = match self.step(k) {
                 _ if self.is_exact(k) => Rational::ZERO,
                 Step::Input(_) | Step::Constant(_) | Step::Call(..) | Step::Unless(..) => Rational::ONE,
-                Step::Neg(a) => depths[*a].clone(),
+                Step::Neg(a) | Step::CutOff(a) => depths[*a].clone(),
                 Step::Add(a, b) | Step::Sub(a, b) => &larger(*a, *b) + &Rational::ONE,
                 Step::Mul(a, b) => &(&depths[*a] + &depths[*b]) + &Rational::ONE,
                 Step::Div(a, b) if self.is_leaf(*b) => {

@@ -6,11 +6,15 @@
 //! inputs, so that a bound is a statement like any other one about signs, which the kernel decides:
 //!
 //! - *relative*, κ·u times the value: κ·|v| − Σ|wₖvₖ| ≥ 0; file `relative`;
-//! - *absolute*, c·u, for functions that change their sign: c − Σ|wₖvₖ| ≥ 0; file `absolute`.
+//! - *absolute*, c·u, for functions that change their sign: c − Σ|wₖvₖ| ≥ 0; file `absolute`. Points of curves are bounded so,
+//!   and those of patches in two stages; file `net`.
 //!
 //! What is of higher order in u is bounded by a number that counts roundings, with u = 2⁻²⁴, that of `f32`; file
 //! `rest`. Steps that do not round are left out: inputs, numbers that are floats, negation, products with powers of
 //! two, and differences a − b with b/2 ≤ a ≤ 2b (Sterbenz), for which the domain is cut into cells.
+//!
+//! A value that is proved to be nonnegative may be cut off at 0, which changes no error for the worse: the exact value is not
+//! on the other side. So its bound is that of what is cut off.
 //!
 //! A fused multiplication and addition rounds less, so that the bounds hold for fused code, too. They hold as long as
 //! nothing overflows; each product that underflows adds half the smallest float.
@@ -22,6 +26,7 @@ mod absolute;
 mod cell;
 mod conditions;
 mod exact;
+mod net;
 mod relative;
 mod rest;
 
@@ -116,6 +121,8 @@ struct Part {
     value: Poly,
     sums: Vec<Poly>,
     rest: Rational,
+    /// The bound of a stage in u; `None` where it is the whole bound.
+    own: Option<Rational>,
 }
 
 impl Part {
@@ -132,7 +139,8 @@ impl Bound {
     pub fn statements(&self, epsilons: &Rational) -> Vec<Statement> {
         let mut all = Vec::new();
         for part in &self.cells {
-            let last = part.last(&(epsilons * &Rational::from(2)));
+            let whole = epsilons * &Rational::from(2);
+            let last = part.last(part.own.as_ref().unwrap_or(&whole));
             for poly in part.conditions.iter().chain(&last) {
                 let (value, domain) = (Quotient::from(poly.clone()), Rc::clone(&part.domain));
                 all.push(Statement::Sign { value, relation: Relation::NonNegative, domain });
@@ -159,13 +167,16 @@ fn on_one_span(family: &Family) -> Option<FamilySteps<'_>> {
     FamilySteps::new(family).filter(|steps| steps.spans() == 1 && family.analytic.is_empty())
 }
 
-/// A bound of the error of each component of a point of a curve, with the binding of its control points, relative to
-/// the largest absolute value of that component of a control point.
+/// A bound of the error of each component of a point of a curve or patch, with the binding of its control points, relative
+/// to the largest absolute value of that component of a control point. Barycentric coordinates add up to 1.
 ///
-/// `None` on simplices and boxes, and when the work is spent or nothing is found.
+/// `None` when the work is spent or nothing is found.
 pub fn point(family: &Family) -> Option<Bound> {
     let form = on_one_span(family)?;
-    let steps = form.on_control_points(&form.curve(1)?);
+    let Some(curve) = form.curve(1) else {
+        return basis_prover::working(family.budget, &mut |work| net::patch_point(family, &form, work));
+    };
+    let steps = form.on_control_points(&curve);
     basis_prover::working(family.budget, &mut |work| {
         let inputs = Inputs::of(family, family.functions.len());
         let mut exact = Exact::new(&steps, &inputs)?;
@@ -175,7 +186,7 @@ pub fn point(family: &Family) -> Option<Bound> {
         let cells = Cell::grid(&inputs.region, &counts);
         let absolute = Absolute::new(&mut exact, output, &inputs.points, work)?;
         let parts = on_each(&cells, &mut |cell| absolute.on(&mut exact, cell, work))?;
-        Some(rounded_up(parts, Error::Absolute))
+        Some(rounded_up(parts, Error::Absolute, &Rational::ZERO))
     })
 }
 
@@ -185,13 +196,13 @@ fn value(exact: &mut Exact<'_>, output: usize, inputs: &Inputs, work: &mut Work)
     if let Some(relative) = Relative::new(exact, output, work) {
         for count in [2, 8] {
             if let Some(parts) = on_each(&cells(count), &mut |cell| relative.on(exact, cell, work)) {
-                return Some(rounded_up(parts, Error::Relative));
+                return Some(rounded_up(parts, Error::Relative, &Rational::ZERO));
             }
         }
     }
     let absolute = Absolute::new(exact, output, &[], work)?;
     let parts = on_each(&cells(16), &mut |cell| absolute.on(exact, cell, work))?;
-    Some(rounded_up(parts, Error::Absolute))
+    Some(rounded_up(parts, Error::Absolute, &Rational::ZERO))
 }
 
 /// A part for each cell, or `None` if one has none.
@@ -206,9 +217,9 @@ fn on_each(
     Some(parts)
 }
 
-/// The largest bound, which is in u, in hundredths of ε.
-fn rounded_up(parts: Vec<(Rational, Part)>, error: fn(Rational) -> Error) -> Bound {
-    let mut largest = Rational::ZERO;
+/// The largest bound, or a number, which are in u, in hundredths of ε.
+fn rounded_up(parts: Vec<(Rational, Part)>, error: fn(Rational) -> Error, least: &Rational) -> Bound {
+    let mut largest = least.clone();
     for (bound, _) in &parts {
         if *bound > largest {
             largest = bound.clone();
@@ -228,6 +239,8 @@ struct Inputs {
     coordinates: Vec<Var>,
     /// One component of each control point, between −1 and 1.
     points: Vec<Var>,
+    /// Whether all coefficients that binding gave are 1.
+    ones: bool,
 }
 
 impl Inputs {
@@ -244,7 +257,7 @@ impl Inputs {
         for point in &points {
             ranges.push((*point, Range::closed(Rational::from(-1), Rational::ONE)));
         }
-        Self { region: Region { ranges }, shapes, coordinates, points }
+        Self { region: Region { ranges }, shapes, coordinates, points, ones: false }
     }
 
     fn variable(&self, input: Input) -> Option<Var> {

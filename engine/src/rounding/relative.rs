@@ -102,7 +102,7 @@ impl Relative {
         let first = cell.ratio(&sum, &value, work)?;
         let rest = self.higher(exact, &mut conditions, work)?;
         let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
-        let part = Part { domain, conditions, value, sums: vec![sum], rest: rest.clone() };
+        let part = Part { domain, conditions, value, sums: vec![sum], rest: rest.clone(), own: None };
         Some((&first + &rest, part))
     }
 
@@ -149,7 +149,7 @@ fn product(exact: &Exact<'_>, output: usize) -> (Vec<Factor>, Vec<Factor>) {
             exponents[a].1 += total;
         };
         match exact.step(k) {
-            Step::Neg(a) => {
+            Step::Neg(a) | Step::CutOff(a) => {
                 pass(*a, 1);
                 continue;
             }
@@ -205,7 +205,7 @@ fn size(exact: &mut Exact<'_>, of: usize, conditions: &mut Conditions<'_>, work:
                 let value = exact.value(k, work)?;
                 conditions.absolute(value.as_poly()?, work)?
             }
-            Step::Neg(a) => size(a)?.clone(),
+            Step::Neg(a) | Step::CutOff(a) => size(a)?.clone(),
             Step::Add(a, b) | Step::Sub(a, b) => size(a)? + size(b)?,
             Step::Mul(a, b) => {
                 work.spend_product(size(a)?, size(b)?)?;

@@ -75,6 +75,7 @@ fn of(steps: &Steps, shape: Range) -> Vec<String> {
         shapes: vec![Var(0)],
         coordinates: vec![Var(1)],
         points: Vec::new(),
+        ones: false,
     };
     let mut exact = Exact::new(steps, &inputs).unwrap();
     let work = &mut Work::unlimited();

@@ -185,6 +185,14 @@ impl Builder {
         self.push(Step::Unless(a, b, c))
     }
 
+    /// a, or 0 where a is negative.
+    pub fn cut_off(&mut self, a: usize) -> usize {
+        match self.constant_at(a) {
+            Some(value) if !value.is_negative() => a,
+            _ => self.push(Step::CutOff(a)),
+        }
+    }
+
     /// Gives a step a name, if it has none and the name is free.
     pub fn name(&mut self, step: usize, name: &str) {
         let computed = !matches!(self.steps[step], Step::Input(_) | Step::Constant(_));
@@ -208,6 +216,7 @@ impl Builder {
                 Step::Div(a, b) => self.div(at(*a), at(*b)),
                 Step::Call(function, a) => self.call(*function, at(*a)),
                 Step::Unless(a, b, c) => self.unless(at(*a), at(*b), at(*c)),
+                Step::CutOff(a) => self.cut_off(at(*a)),
             };
             if let Some(name) = other.name(k) {
                 self.name(place, name);
@@ -244,6 +253,7 @@ impl Builder {
                 Step::Div(a, b) => Step::Div(at(a), at(b)),
                 Step::Call(function, a) => Step::Call(function, at(a)),
                 Step::Unless(a, b, c) => Step::Unless(at(a), at(b), at(c)),
+                Step::CutOff(a) => Step::CutOff(at(a)),
             });
         }
         let mut names: Vec<(usize, String)> =

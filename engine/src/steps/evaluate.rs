@@ -24,6 +24,8 @@ pub trait Number: Clone {
     fn call(&self, function: Function) -> Option<Self>;
     /// Whether two numbers are equal.
     fn is(&self, other: &Self) -> bool;
+    /// Self, or 0 where it is negative; a function that is nonnegative stays as it is.
+    fn cut_off(&self) -> Self;
 }
 
 impl Steps {
@@ -49,6 +51,7 @@ impl Steps {
                 Step::Call(function, a) => at(*a).call(*function)?,
                 Step::Unless(a, b, _) if at(*a).is(at(*b)) => N::constant(&Rational::ZERO),
                 Step::Unless(_, _, c) => at(*c).clone(),
+                Step::CutOff(a) => at(*a).cut_off(),
             };
             values.push(value);
         }
@@ -57,7 +60,7 @@ impl Steps {
 }
 
 macro_rules! numbers {
-    ($($number:ident: $constant:expr, $quotient:expr, $call:expr;)+) => {$(
+    ($($number:ident: $constant:expr, $quotient:expr, $call:expr, $cut_off:expr;)+) => {$(
         impl Number for $number {
             fn constant(value: &Rational) -> Self {
                 $constant(value)
@@ -83,6 +86,9 @@ macro_rules! numbers {
             fn is(&self, other: &Self) -> bool {
                 self == other
             }
+            fn cut_off(&self) -> Self {
+                $cut_off(self)
+            }
         }
     )+};
 }
@@ -93,14 +99,16 @@ numbers! {
         Function::Tan => a.tan(),
         Function::Tanh => a.tanh(),
         Function::Expm1 => a.exp_m1(),
-    });
+    }), |a: &f32| if *a < 0.0 { 0.0 } else { *a };
     f64: Rational::to_f64, |a: &f64, b: &f64| Some(a / b), |a: &f64, function| Some(match function {
         Function::Sin => a.sin(),
         Function::Cos => a.cos(),
         Function::Tan => a.tan(),
         Function::Tanh => a.tanh(),
         Function::Expm1 => a.exp_m1(),
-    });
-    Rational: Rational::clone, Rational::checked_div, |_: &Rational, _| None;
-    Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone())), Fraction::checked_div, |_: &Fraction, _| None;
+    }), |a: &f64| if *a < 0.0 { 0.0 } else { *a };
+    Rational: Rational::clone, Rational::checked_div, |_: &Rational, _| None,
+        |a: &Rational| if a.is_negative() { Rational::ZERO } else { a.clone() };
+    Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone())), Fraction::checked_div,
+        |_: &Fraction, _| None, Fraction::clone;
 }

@@ -37,6 +37,7 @@ impl Builder {
                     values.push(pair.to_vec());
                     continue;
                 }
+                Node::CutOff(a) => self.cut_off(one(a)),
                 Node::List(list) => {
                     let list = all(list);
                     values.push(list);

@@ -66,6 +66,8 @@ pub enum Step {
     Call(Function, usize),
     /// 0 where a = b, else c.
     Unless(usize, usize, usize),
+    /// a, or 0 where a is negative: exactly a is nonnegative.
+    CutOff(usize),
 }
 
 /// A function that no finite number of operations gives.
@@ -88,7 +90,7 @@ impl Step {
     pub fn operands(&self) -> Vec<usize> {
         match *self {
             Self::Input(_) | Self::Constant(_) => Vec::new(),
-            Self::Neg(a) | Self::Call(_, a) => vec![a],
+            Self::Neg(a) | Self::Call(_, a) | Self::CutOff(a) => vec![a],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
             Self::Unless(a, b, c) => vec![a, b, c],
         }

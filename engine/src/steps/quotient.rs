@@ -278,8 +278,13 @@ impl<'a> Quotients<'a> {
         {
             let rows = span.rows(&mut builder);
             let column = |k: usize| rows.iter().map(|row| row[k]).listed();
-            let outputs =
+            let mut outputs =
                 (0..span.form.numerators.len()).map(|k| builder.bernstein(&column(k), s, x)).listed();
+            for (output, is_nonnegative) in outputs.iter_mut().zip(&span.family.nonnegative) {
+                if *is_nonnegative {
+                    *output = builder.cut_off(*output);
+                }
+            }
             return builder.finish(&outputs);
         }
         let outputs = span.inline(&mut builder, &rational::values(span.family, &span.form), pair);

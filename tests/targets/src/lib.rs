@@ -110,6 +110,9 @@ fn all_cases() -> Vec<Case> {
         own("Thirds", &[0.375]),
         own("double", &[1.5, 0.25]),
         own("Signs", &[]),
+        own("Touching", &[0.333_251_953_125, 0.0]),
+        own("Meeting", &[0.25, -0.5]),
+        own("Grazing", &[0.5]),
         own("Slab", &[3.0]),
         case(Some("triangular"), "TriangularII", &[3], "Triangle", &[0.5, 0.25]),
         of("lagrange", "TriangularLagrange", &[2], &[]),
@@ -149,7 +152,7 @@ fn case(file: Option<&str>, name: &str, order: &[i64], as_name: &'static str, sh
     let wrong: Vec<String> = basis_engine::contradictions(&checked).into_iter().map(|d| d.message).collect();
     assert!(wrong.is_empty(), "{name}: {wrong:?}");
     let Subject::Family(family) = checked.subject.clone() else { panic!("{name} is no family") };
-    let family = match generate::evaluated(&family) {
+    let family = match generate::evaluated(&family, &checked.claims) {
         Ok(Cow::Owned(evaluated)) => Rc::new(evaluated),
         Ok(Cow::Borrowed(_)) => family,
         Err(error) => panic!("{name}: {}", error.message),

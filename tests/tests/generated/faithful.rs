@@ -8,8 +8,8 @@ use basis_engine::theorem::theorems;
 use basis_engine::{Disk, Library, Prover, Subject, source};
 use basis_runtime::{Array, Basis, Curve, FUSED_HERE, Scalar, basis};
 use basis_tests::exact::{Reference, fraction};
-use basis_tests::families::Shipped;
-use basis_tests::patches::{ShippedPatch, exact};
+use basis_tests::families::{Shipped, Touching};
+use basis_tests::patches::{ShippedPatch, TouchingBox, TouchingTriangle, exact};
 use basis_tests::random::Random;
 use basis_tests::{each_family, each_patch};
 
@@ -184,6 +184,8 @@ fn steps_do_what_compiled_curves_do() {
     if comparable() {
         each_family!(f32, curves, 60);
         each_family!(f64, curves, 60);
+        curves::<Touching<f32>>(60);
+        curves::<Touching<f64>>(60);
     }
 }
 
@@ -192,6 +194,10 @@ fn steps_do_what_compiled_patches_do() {
     if comparable() {
         each_patch!(f32, patches, 12);
         each_patch!(f64, patches, 12);
+        patches::<TouchingTriangle<f32>>(12);
+        patches::<TouchingTriangle<f64>>(12);
+        patches::<TouchingBox<f32>>(12);
+        patches::<TouchingBox<f64>>(12);
     }
 }
 
@@ -291,7 +297,10 @@ fn exact_patches<B: ShippedPatch>() {
 #[test]
 fn steps_mean_the_formulas_of_the_spec() {
     each_family!(f64, exact_curves);
+    exact_curves::<Touching<f64>>();
     each_patch!(f64, exact_patches);
+    exact_patches::<TouchingTriangle<f64>>();
+    exact_patches::<TouchingBox<f64>>();
 }
 
 /// A family that nothing else mentions: another domain, a denominator, numbers that no float is.

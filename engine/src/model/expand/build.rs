@@ -107,6 +107,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         over,
         pieces: Vec::new(),
         base: core::mem::take(&mut scope.base),
+        nonnegative: Vec::new(),
         obligations: Vec::new(),
         budget,
     };

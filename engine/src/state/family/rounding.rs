@@ -17,11 +17,18 @@ pub fn value_errors(family: &Family) -> Vec<Option<(Error, Evidence)>> {
     bounds.iter().enumerate().map(|(k, bound)| proved(family, &label(k), bound.as_ref()?)).listed()
 }
 
-/// The error of each component of a point of a curve relative to the largest one of a control point, with the evidence;
-/// `None` where none is found, and on simplices and boxes.
+/// The error of each component of a point of a curve or patch relative to the largest one of a control point, with the
+/// evidence; `None` where none is found.
 #[cfg(any(test, feature = "tools"))]
 pub fn point_error(family: &Family) -> Option<(Error, Evidence)> {
-    proved(family, "C(t)", &rounding::point(family)?)
+    proved(family, &point_name(family), &rounding::point(family)?)
+}
+
+/// What a point of a curve or patch is called, such as `C(t)` or `P(u, v, w)`.
+#[cfg(any(test, feature = "tools"))]
+pub fn point_name(family: &Family) -> String {
+    let names = family.domain_variables().map(|p| family.name_of(p)).listed();
+    format!("{}({})", if family.interval().is_some() { "C" } else { "P" }, names.join(", "))
 }
 
 fn proved(family: &Family, of: &str, bound: &Bound) -> Option<(Error, Evidence)> {
