@@ -51,9 +51,11 @@ pub fn elevate<P: Point>(points: &[P], elevated: &mut [P]) {
 pub fn centred_powers<P: Point>(points: &mut [P]) {
     super::keep_left(points, P::Scalar::of(0.5));
     points.reverse();
-    let degree = points.len().saturating_sub(1);
-    for order in 1..=degree {
-        for i in (order..=degree).rev() {
+    let len = points.len();
+    let degree = len.saturating_sub(1);
+    for order in 1..len {
+        // A half-open range, which the compiler unrolls.
+        for i in (order..len).rev() {
             points[i] = points[i - 1].minus(points[i]);
         }
     }
