@@ -124,9 +124,9 @@ impl<S: Scalar> Chart<S> {
     #[inline]
     #[must_use]
     pub fn with_sums_as_ends(mut self, sums: [&[(f64, S)]; 2]) -> Self {
-        for k in 0..2 {
-            let rest = lost(self.domain[k].to_f64(), sums[k]);
-            self.tails[k] = if rest.is_finite() { S::of(rest) } else { S::ZERO };
+        for ((tail, end), sum) in self.tails.iter_mut().zip(self.domain).zip(sums) {
+            let rest = lost(end.to_f64(), sum);
+            *tail = if rest.is_finite() { S::of(rest) } else { S::ZERO };
         }
         self
     }

@@ -4,6 +4,7 @@
 
 mod beside;
 mod joins;
+mod near_ends;
 mod rational;
 mod refuted_claims;
 mod shapes;

@@ -230,7 +230,9 @@ pub(super) fn survey<'a>(
             seen.uses(&more.iter().copied().chain(together.iter().copied()).collect(), &variables)
         };
         let own = with(&[number]);
-        match groups.iter_mut().find(|(known, _)| !own.are_finer(known) && !known.are_finer(&own)) {
+        // A mistaken claim has a message of its own.
+        let alike = |known: &Uses| !own.are_mistaken() && !own.are_finer(known) && !known.are_finer(&own);
+        match groups.iter_mut().find(|(known, _)| alike(known)) {
             Some((_, group)) => {
                 group.insert(number);
             }
@@ -303,12 +305,15 @@ impl Seen {
 }
 
 impl Uses {
+    /// Whether no family can have all of them.
+    fn are_mistaken(&self) -> bool {
+        !self.frequencies.is_empty() || self.by_var.iter().any(|(_, of)| of.torn.is_some())
+    }
+
     /// Whether an angle or a number that others have, too, is needed in smaller parts than there, or a tangent that is
     /// irrational and that they do not need.
     fn are_finer(&self, others: &Self) -> bool {
-        let is_finer = |(var, of): &(Var, Use)| {
-            others.of(*var).is_some_and(|known| of.torn.is_none() && of.unit != known.unit)
-        };
+        let is_finer = |(var, of): &(Var, Use)| others.of(*var).is_some_and(|known| of.unit != known.unit);
         let unit = |uses: &Self| uses.numbers.iter().fold(Rational::ZERO, |unit, number| unit.gcd(number));
         let parts = |uses: &Self| {
             let half = Rational::new(1, 2);
@@ -319,7 +324,8 @@ impl Uses {
             let turns = uses.turns.iter().cloned().chain(uses.places.iter().filter_map(at));
             turns.fold(Rational::new(1, 4), |unit, psi| unit.gcd(&psi))
         };
-        self.by_var.iter().any(is_finer)
+        self.are_mistaken() && !others.are_mistaken()
+            || self.by_var.iter().any(is_finer)
             || !others.numbers.is_empty() && unit(self) != unit(others)
             || parts(self) != parts(others)
     }

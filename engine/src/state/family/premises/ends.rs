@@ -64,13 +64,12 @@ impl Sign<'_> {
         let (mut above, mut below) = (numerator.clone(), denominator.clone());
         let ranged = domain.region.ranges.iter().map(|(v, _)| *v);
         let all = ranged.chain(numerator.variables()).chain(denominator.variables());
-        let mut free = all.map(|v| v.0 + 1).max()?;
-        for (g, relation) in &self.domain.premises {
+        let free = all.map(|v| v.0 + 1).max()?;
+        for (k, (g, relation)) in self.domain.premises.iter().enumerate() {
             let [x] = g.variables()[..] else { return None };
             let (_, range) = domain.region.ranges.iter_mut().find(|(v, _)| *v == x)?;
             let Zero { between: [low, high], is_upper } = Zero::of(g, x, range)?;
-            let (number, z) = (Var(free), Poly::var(x));
-            free += 1;
+            let (number, z) = (Var(free + k), Poly::var(x));
             // From the rational end towards the zero.
             let end = if is_upper { range.low.clone() } else { range.high.clone() };
             let from = Poly::constant(end.value()?.clone());
