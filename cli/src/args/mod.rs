@@ -91,7 +91,7 @@ pub(crate) enum Command {
     /// Draw the functions of a family, a curve over it, and where a claim fails
     ///
     /// Functions on an interval are lines, those on a triangle or a box of two variables maps with one scale of colours,
-    /// red below zero. A range of shape values gives five lines for each function. With control points the curve is drawn
+    /// red below zero; those of three variables, as on a prism, are cut at a value of one of them. A range of shape values gives five lines for each function. With control points the curve is drawn
     /// beside the functions. A point at which a claim fails is marked. The page has sliders for the shape values and control
     /// points to drag, and is one file.
     #[command(after_help = PLOT_HELP)]
@@ -479,6 +479,10 @@ pub(crate) struct PlotArguments {
     /// The control points of a curve in the plane, such as "0,0 1,2 3,2 4,0"
     #[arg(long, value_name = "POINTS", value_parser = point, value_delimiter = ' ', allow_hyphen_values = true)]
     pub(crate) points: Vec<[f64; 2]>,
+    /// Where functions of three variables are cut, such as z=1/2 of a prism; without it where a claim fails, or in the
+    /// middle
+    #[arg(long = "at", value_name = "NAME=VALUE", value_parser = shape)]
+    pub(crate) at: Option<ShapeArgument>,
     /// The picture to write; its name ends with .svg, .png or .html, and - is an SVG on standard output; without it
     /// QuarticBernstein.svg, the name of the family, in the current folder
     #[arg(short, long, value_name = "FILE")]
@@ -494,6 +498,7 @@ Examples:
   basis plot quartic.basis --shape λ=1/2 -o quartic.svg
   basis plot library:quartic --shape λ=-3..1 --points '0,0 1,2 3,2 4,0' -o curves.png
   basis plot library:triangular 'TriangularII(4)' -o maps.svg
+  basis plot prism.basis --at z=1/4 -o prism.svg
   basis plot quartic.basis -o quartic.html";
 
 /// How to print an explanation.

@@ -35,12 +35,21 @@ pub(super) fn failures(family: &Family, checked: &Checked) -> Vec<Failure> {
         // Of a shape parameter that plays no part any value will do, and one is there.
         let value = |p: &Parameter| of_name(witness, &p.name);
         let Some(shapes) = family.shapes.iter().map(value).collect::<Option<Vec<_>>>() else { continue };
-        let function = (0..family.functions.len()).find(|k| family.function_label(*k) == witness.of);
+        let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
+        let function = labels.iter().position(|label| *label == witness.of);
         let text = format!("{}: {}", claim.text, witness.notes.join("; ").replace('`', ""));
         let (piece, at) = place(family, witness, &shapes, function);
+        let function = function.or_else(|| only(&labels, &witness.of));
         all.push(Failure { shapes, piece, at, function, text });
     }
     all
+}
+
+/// The one function that an expression such as `b[3] - 1/2` is about, and not its derivative or its value elsewhere.
+fn only(labels: &[String], expression: &str) -> Option<usize> {
+    let mut named = labels.iter().enumerate().filter(|(_, label)| expression.contains(*label));
+    let (k, label) = named.next().filter(|_| !expression.contains("D("))?;
+    (named.next().is_none() && !expression.contains(&format!("{label}("))).then_some(k)
 }
 
 /// The span on which the claim fails, with the place there. A knot is on two spans; of these it is the one on which the

@@ -36,8 +36,8 @@ pub(super) fn colour(k: usize, of: usize) -> [u8; 3] {
 }
 
 /// How the line of one of several functions is broken: neighbours on the scale of colours are too much alike where they cross.
-pub(super) fn dashes(k: usize, of: usize) -> &'static str {
-    if of <= COLOURS.len() { "none" } else { ["none", "8 4", "2 3"][k % 3] }
+pub(super) fn dashes(k: usize, of: usize) -> Option<&'static str> {
+    if of <= COLOURS.len() { None } else { [None, Some("8 4"), Some("2 3")][k % 3] }
 }
 
 /// The colour at a place from 0 to 1 of the scale.

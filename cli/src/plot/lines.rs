@@ -45,7 +45,10 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
             let label = family.function_label(k);
             let setting = &scene.settings[s].label;
             let title = if setting.is_empty() { label } else { format!("{label}, {setting}") };
-            let path = frame.path(&points, &own, 2.0).set("stroke-dasharray", dashes(k, count));
+            let mut path = frame.path(&points, &own, 2.0);
+            if let Some(dashes) = dashes(k, count) {
+                path = path.set("stroke-dasharray", dashes);
+            }
             group = group.add(path.add(Title::new(title)));
         }
     }
@@ -68,6 +71,9 @@ pub(super) fn document(scene: &Scene, width: f64, height: f64, content: Group) -
     let family = &scene.family;
     let title = text(&family.title(), 20.0, 26.0, 17.0, "start", INK).set("font-weight", "bold");
     let mut facts = domain::describe(family);
+    if let Some(cut) = &scene.cut {
+        facts += &format!(",  cut at {}", cut.label);
+    }
     let shown = match scene.settings.as_slice() {
         [only] => only.label.as_str(),
         several => several.first().map_or("", |s| s.common.as_str()),
@@ -111,8 +117,11 @@ fn legend(scene: &Scene, left: f64) -> (Group, f64) {
     let mut group = Group::new();
     for (k, label) in labels.iter().enumerate() {
         let (x, y) = (left + column * (k / rows) as f64, 70.0 + 20.0 * (k % rows) as f64);
-        let line = sample_line(x, y, &hex(colour(k, count)));
-        group = group.add(line.set("stroke-dasharray", dashes(k, count)));
+        let mut line = sample_line(x, y, &hex(colour(k, count)));
+        if let Some(dashes) = dashes(k, count) {
+            line = line.set("stroke-dasharray", dashes);
+        }
+        group = group.add(line);
         group = group.add(text(label, x + 26.0, y + 4.0, 13.0, "start", INK));
     }
     let top = 70.0 + 20.0 * count.min(rows) as f64 + 12.0;

@@ -5,7 +5,7 @@ use basis_engine::algebra::rational::Rational;
 use svg::node::element::{Circle, Group, Path, Polygon, Rectangle, Title};
 
 use super::Scene;
-use super::frame::{BAD, FAINT, INK, extent, hex, mix, number, rounded, scale, text, ticks};
+use super::frame::{BAD, FAINT, INK, hex, mix, number, rounded, scale, text, ticks};
 use super::lines::{document, pretty, wrapped};
 use super::values::{Functions, between};
 use crate::output::error;
@@ -42,11 +42,11 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
         _ => (18, 96.0),
     };
     let strips = grid(scene, parts, &functions)?;
-    let ranges: Vec<[f64; 2]> = (0..count)
-        .map(|k| {
-            extent(strips.iter().flatten().flat_map(|t| t.corners.iter().filter_map(move |(_, v)| v[k])), 0.0)
-        })
-        .collect();
+    let range = |k: usize| {
+        let values = strips.iter().flatten().flat_map(|t| t.corners.iter().filter_map(move |(_, v)| v[k]));
+        values.fold([0.0_f64; 2], |[low, high], v| [low.min(v), high.max(v)])
+    };
+    let ranges: Vec<[f64; 2]> = (0..count).map(range).collect();
     let levels = levels(&ranges);
     let columns = (1..=count).find(|c| c * c * 3 >= count * 4).unwrap_or(1).max(count.min(3));
     // Beside a square stands the name of its variable.

@@ -4,6 +4,7 @@
 //! of sines and exponentials in floating point.
 
 mod curve;
+mod cut;
 mod failures;
 mod frame;
 mod lines;
@@ -27,6 +28,7 @@ use crate::args::PlotArguments;
 use crate::output::{self, Status, complain, error};
 use crate::spec::STDIN;
 use crate::{eval, spec};
+use cut::Cut;
 use failures::Failure;
 use marks::Mark;
 use settings::Setting;
@@ -34,6 +36,8 @@ use settings::Setting;
 /// What is drawn.
 struct Scene {
     family: Rc<Family>,
+    /// Where a family of three variables is cut; of it the family above is what is left.
+    cut: Option<Cut>,
     /// The shape values.
     settings: Vec<Setting>,
     /// The places of a control polygon; none where no curve is drawn.
@@ -121,18 +125,21 @@ fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<
         let message = format!("`{}` has angles in several variables and no picture", family.title());
         return Err(vec![error(message).help("draw a family of one variable")]);
     }
-    let variables = family.domain.len();
-    if variables > 2 {
-        let message =
-            format!("the functions of `{}` have {variables} variables and no picture", family.title());
-        return Err(vec![
-            error(message).help("draw a family on an interval, a triangle or a box of two variables"),
-        ]);
-    }
     let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
     let checked = library.item(&family.name, &order).ok().map(decide);
-    let failures =
+    let mut failures =
         checked.as_ref().map_or_else(Vec::new, |checked: &Checked| failures::failures(&family, checked));
+    let (mut family, mut cut) = (family, None);
+    if family.domain.len() > 2 {
+        let place = cut::place(&family, arguments.at.as_ref(), failures.first()).map_err(|e| vec![e])?;
+        failures = cut::failures(failures, &place);
+        family = Rc::new(cut::family(&family, &place).map_err(|e| vec![e])?);
+        cut = Some(place);
+    } else if arguments.at.is_some() {
+        let message = format!("the functions of `{}` are drawn whole", family.title());
+        return Err(vec![error(message).help("leave `--at` out; it cuts functions of three variables")]);
+    }
+    let variables = family.domain.len();
     let settings = settings::settings(&family, &arguments.shapes, failures.first())?;
     if settings.len() > 1 && variables > 1 {
         let message = "a range of shape values is drawn for functions of one variable only";
@@ -152,7 +159,7 @@ fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<
         return Err(vec![error(message).help(format!("for example `--points \"{}\"`", example.join(" ")))]);
     }
     let marks = marks::at(&failures, &settings);
-    Ok(Scene { family, settings, points, failures, marks })
+    Ok(Scene { family, cut, settings, points, failures, marks })
 }
 
 fn draw(scene: &Scene, kind: Kind) -> Result<Vec<u8>, Diagnostic> {

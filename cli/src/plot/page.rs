@@ -47,10 +47,11 @@ fn data(scene: &Scene) -> Result<Value, Diagnostic> {
         let shapes: Vec<f64> = f.shapes.iter().map(number).collect();
         json!({ "text": f.text, "shapes": shapes, "piece": f.piece, "at": at, "function": f.function })
     };
+    let cut = scene.cut.as_ref().map(|cut| format!(", cut at {}", cut.label)).unwrap_or_default();
     Ok(json!({
         "title": family.title(),
         "doc": family.doc.first(),
-        "domain": domain::describe(family),
+        "domain": domain::describe(family) + &cut,
         "kind": kind,
         "variables": family.domain_variables().map(|p| p.name.clone()).collect::<Vec<_>>(),
         "shapes": family.shapes.iter().enumerate().map(shape).collect::<Vec<_>>(),

@@ -91,15 +91,54 @@ family B { domain -1 <= x <= 1, 0 <= y <= 2; f[0] = x*y; f[1] = (1 - x)*(2 - y);
     assert!(x > 30.0, "{name}");
 }
 
+/// Functions of three variables are cut: a prism at a height, a box at a value of any of its variables.
+#[test]
+fn functions_of_three_variables_are_cut() {
+    let spec = "family Prism {
+    domain 0 <= z <= 2, triangle (u, v, w);
+    b[0] = u*z/2;
+    b[1] = 3/4 - u*z/2;
+    prove b[1] >= 0;
+}
+family Solid { domain 0 <= x <= 1, 0 <= y <= 1, 0 <= z <= 1; b[0] = x*y*z; b[1] = 1 - x*y*z; }";
+    let folder = Folder::with("p.basis", spec);
+    // Without a height at that of the counterexample, which is marked.
+    let svg = drawn(&folder, &["p.basis", "Prism"], "p.svg");
+    let height = svg.split("cut at z = ").nth(1).and_then(|rest| rest.lines().next()).expect("a height");
+    assert!(svg.contains(&format!("z = {height}, u = ")) && svg.contains("w = 1"), "{svg}");
+    assert_eq!(count(&svg, "class=\"counterexample\""), 1);
+    // At another height its place is not in the picture, and the functions have other values.
+    let svg = drawn(&folder, &["p.basis", "Prism", "--at", "z=1/5"], "q.svg");
+    assert!(svg.contains("triangle (u, v, w),  cut at z = 1/5"), "{svg}");
+    assert_eq!(count(&svg, "class=\"counterexample\""), 0);
+    let data = page_data(&drawn(&folder, &["p.basis", "Prism", "--at", "z=1/5"], "p.html"));
+    assert_eq!(
+        (&data["kind"], &data["pieces"][0]["functions"][0]["numer"][0][0]),
+        (&json!("triangle"), &json!(0.1))
+    );
+    let data = page_data(&drawn(&folder, &["p.basis", "Solid", "--at", "y=1/4"], "s.html"));
+    assert_eq!((&data["kind"], &data["variables"]), (&json!("box"), &json!(["x", "z"])));
+    for (arguments, why) in [
+        (&["Prism", "--at", "u=1/2"][..], "`u` is not an interval of the domain of `Prism`"),
+        (&["Prism", "--at", "z=3"], "z = 3 is outside of the domain `0 <= z <= 2`"),
+        (&["Prism", "--at", "z=0..1"], "are cut at one value of `z`"),
+    ] {
+        let run = folder.run(&[&["plot", "p.basis"], arguments].concat());
+        assert_eq!(run.code, 2, "{arguments:?}: {}", run.stdout);
+        assert!(run.stderr.contains(why), "{arguments:?}: {}", run.stderr);
+    }
+}
+
 /// Where there are more functions than colours, neighbours differ beside their colours.
 #[test]
 fn many_lines_can_be_told_apart() {
     let folder = Folder::with("b.basis", BERNSTEIN);
     let svg = drawn(&folder, &["b.basis", "Bern(12)"], "b.svg");
-    assert_eq!(count(&svg, "stroke-dasharray=\"none\""), 10, "five lines with their signs in the legend");
-    assert_eq!(count(&svg, "stroke-dasharray=\"8 4\"") + count(&svg, "stroke-dasharray=\"2 3\""), 16);
+    // Lines and their signs in the legend: five whole ones of thirteen, and of the others two kinds.
+    let [long, short] = ["8 4", "2 3"].map(|dashes| count(&svg, &format!("stroke-dasharray=\"{dashes}\"")));
+    assert_eq!((long, short), (8, 8));
     let few = drawn(&folder, &["b.basis", "Bern(3)"], "few.svg");
-    assert_eq!(count(&few, "stroke-dasharray=\"8 4\""), 0);
+    assert_eq!(count(&few, "stroke-dasharray"), 0);
 }
 
 #[test]
@@ -171,6 +210,7 @@ fn what_cannot_be_drawn_is_refused() {
         (&["q.basis", "--points", "0,0 1,1"], "needs as many control points, not 2"),
         (&["q.basis", "--points", "0,0 1,1 2,0 x"], "`x` is not a point"),
         (&["s.basis"], "have 3 variables and no picture"),
+        (&["q.basis", "--at", "t=1/2"], "are drawn whole"),
         (&["q.basis", "Quartik"], "there is no family"),
         (&["wrong.basis"], "the name `x` is not declared"),
         (&["nowhere.basis"], "there is no spec file"),
