@@ -16,11 +16,12 @@ type Outcome = Result<(), Ended>;
 /// A step: its name, what it shows, and how.
 struct Step(&'static str, &'static str, fn(&Path) -> Outcome);
 
-const STEPS: [Step; 8] = [
+const STEPS: [Step; 9] = [
     Step("forge", "1.2 million forged certificates and witnesses, none accepted", forge),
     Step("oracle", "the checker in Python on 100 000 corrupted certificates", oracle),
     Step("judges", "100 000 verdicts against values computed in Python", judges),
     Step("sanitizer", "the tests of kernel and runtime under the address sanitizer", sanitizer),
+    Step("miri", "the runtime's unsafe code and its modules, interpreted by Miri", miri),
     Step("fuzz", "no panic and no hang on any input, 20 minutes for each target", fuzz),
     Step("coq", "Coq accepts the theorems of all specs", coq),
     Step("specs", "every mutant of the shipped specs", mutants_of_specs),
@@ -167,6 +168,25 @@ fn sanitizer(root: &Path) -> Outcome {
     let mut run = unstable(command(root, &format!("{tests} {host}")));
     run.env("RUSTFLAGS", "-Zsanitizer=address");
     succeed(run)
+}
+
+/// Miri is part of nightly toolchains only, which `RUSTC_BOOTSTRAP` does not replace.
+fn miri(root: &Path) -> Outcome {
+    if !works(command(root, "cargo +nightly miri --version")) {
+        let how = "rustup toolchain install nightly --component miri,rust-src";
+        return Err(Ended::Skipped(format!("there is no Miri: `{how}`")));
+    }
+    let test =
+        "cargo +nightly miri test --quiet -p basis-runtime --no-default-features --target-dir target/miri";
+    let miri = |arguments: &str, flags: &str| {
+        let mut run = command(root, &format!("{test} {arguments}"));
+        // Test files are read, and the time is asked for.
+        run.env("MIRIFLAGS", "-Zmiri-disable-isolation").env("RUSTFLAGS", flags);
+        succeed(run)
+    };
+    // With these features of the processor the functions are called that need them: all `unsafe` there is.
+    miri("--features std --test numeric -- slices::few slices::slices", "-Ctarget-feature=+avx2,+fma")?;
+    miri("--features std,geometry,bspline,elements,mesh --lib", "")
 }
 
 fn fuzz(root: &Path) -> Outcome {

@@ -5,6 +5,7 @@ use basis_engine::Family;
 use basis_engine::algebra::range::{End, Range};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::formulas::{Sign, Term};
+use basis_engine::model::Factor;
 use basis_kernel::{Chart, Domain};
 
 use super::formula::{Writer, number, rational};
@@ -38,21 +39,24 @@ impl Frame {
             Self { hypotheses: Vec::new(), steps: Vec::new(), by: Vec::new(), independent: Vec::new() };
         let name = |v: usize| names.get(v).cloned();
         let writer = Writer { definitions: &[], variables: &name };
-        let boxed: &[_] = if family.is_simplex() { &[] } else { &family.domain };
-        for parameter in family.shapes.iter().chain(boxed) {
+        let (mut intervals, mut simplices) = (Vec::new(), Vec::new());
+        for factor in family.factors() {
+            match factor {
+                Factor::Interval(p) => intervals.push(p),
+                Factor::Simplex(..) => {
+                    simplices.push(factor.variables().map(|p| p.var.0).collect::<Vec<usize>>());
+                }
+            }
+        }
+        for parameter in family.shapes.iter().chain(intervals) {
             let v = parameter.var.0;
             frame.hypotheses.extend(between(&names[v], &parameter.range));
             if fixed.iter().all(|(f, _)| *f != v) {
                 frame.independent.push((v, names[v].clone(), parameter.range.clone()));
             }
         }
-        let coordinates: Vec<usize> = if family.is_simplex() {
-            family.domain_variables().map(|p| p.var.0).collect()
-        } else {
-            Vec::new()
-        };
-        frame.hypotheses.extend(coordinates.iter().map(|v| format!("0 <= {}", names[*v])));
-        if family.is_simplex() {
+        for coordinates in &simplices {
+            frame.hypotheses.extend(coordinates.iter().map(|v| format!("0 <= {}", names[*v])));
             let sum: Vec<&str> = coordinates.iter().map(|v| names[*v].as_str()).collect();
             frame.hypotheses.push(format!("{} = 1", sum.join(" + ")));
         }
@@ -61,8 +65,8 @@ impl Frame {
             frame.steps.push(format!("subst {}.", names[*v]));
             frame.by.push((*v, value.clone()));
         }
-        if family.is_simplex() {
-            frame.simplex(&coordinates, names, chart)?;
+        for coordinates in &simplices {
+            frame.simplex(coordinates, names, chart)?;
         }
         Some(frame)
     }
@@ -84,14 +88,14 @@ impl Frame {
         let given: Vec<Rational> = given.collect::<Option<_>>()?;
         let left = given.iter().fold(Rational::ONE, |left, x| &left - x);
         if let Some((domain, chart)) = chart {
-            // x1 = c (1 - s1), x2 = c s1 (1 - s2), ...
-            let simplices =
-                domain.simplices.iter().flat_map(|s| s.variables.iter().map(move |v| (v.0, &s.sum)));
+            // x1 = c (1 - s1), x2 = c s1 (1 - s2), ... on each simplex
+            let all = domain.simplices.iter();
+            let all = all.flat_map(|s| s.variables.iter().enumerate().map(move |(k, v)| (v.0, k, &s.sum)));
             let fresh = chart.region().ranges.iter().skip(domain.region.ranges.len());
             let mut rest: Option<Term> = None;
-            for (k, ((v, sum), (s, range))) in simplices.zip(fresh).enumerate() {
-                let s_name = format!("s'{}", k + 1);
-                let whole = rest.unwrap_or_else(|| Term::Number(sum.clone()));
+            for ((v, k, sum), (s, range)) in all.zip(fresh).filter(|((v, ..), _)| coordinates.contains(v)) {
+                let s_name = format!("s'{}", self.independent.len() + 1);
+                let whole = rest.filter(|_| k > 0).unwrap_or_else(|| Term::Number(sum.clone()));
                 let known = |w: usize| {
                     name(w)
                         .or_else(|| Some(self.independent.iter().find(|(other, ..)| *other == w)?.1.clone()))

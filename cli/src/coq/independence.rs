@@ -8,6 +8,7 @@ mod table;
 
 use basis_engine::algebra::rational::Rational;
 use basis_engine::formulas::{Role, Sign, Term, polynomial};
+use basis_engine::model::{Factor, Parameter};
 use basis_engine::{Coordinate, Family, Witness};
 use basis_kernel::algebra::poly::Var;
 use basis_kernel::algebra::range::{End, Range, Region};
@@ -243,14 +244,7 @@ impl Subject<'_> {
         let independent: Vec<usize> = self.family.domain.iter().map(|p| p.var.0).collect();
         let free = self.family.shapes.iter().filter(|p| values.iter().all(|(v, _)| *v != p.var));
         let env: Vec<usize> = independent.iter().copied().chain(free.clone().map(|p| p.var.0)).collect();
-        let last = |term: Term| match self.family.simplices.first().map(|s| &s.last) {
-            None => term,
-            Some(p) => {
-                let others = independent.iter().map(|v| (Sign::Minus, Term::Variable(*v)));
-                let rest = Term::Sum(std::iter::once((Sign::Plus, Term::integer(1))).chain(others).collect());
-                term.put(&|v| (v == p.var.0).then(|| rest.clone()))
-            }
-        };
+        let last = |term: Term| term.put(&|v| self.rest(v));
         let parts = self.formulas.functions.iter().zip(factors).map(|(f, factor)| {
             let call = Term::Call(*f, self.arguments());
             (Sign::Plus, Term::Product(vec![(Role::Factor, put(factor)), (Role::Factor, last(put(&call)))]))
@@ -260,16 +254,18 @@ impl Subject<'_> {
             None => text += &format!("  intros {}; intros.\n", self.coordinates().join(" ")),
             Some(angle) => text += &format!("  intros {} D'.\n{}", angle.variable, angle.to_tangents),
         }
-        if let Some(p) = self.family.simplices.first().map(|s| &s.last) {
-            let others: Vec<&str> = independent.iter().map(|v| self.names[*v].as_str()).collect();
-            let w = &self.names[p.var.0];
-            text += &format!("  assert ({w} = 1 - {}) by lra; subst {w}.\n", others.join(" - "));
+        for factor in self.family.factors() {
+            if let Factor::Simplex(others, p) = factor {
+                let others: Vec<&str> = others.iter().map(|p| self.names[p.var.0].as_str()).collect();
+                let w = &self.names[p.var.0];
+                text += &format!("  assert ({w} = 1 - {}) by lra; subst {w}.\n", others.join(" - "));
+            }
         }
-        let mut sides: Vec<String> = if self.family.is_simplex() {
-            independent.iter().map(|_| String::from("(Inf, Inf)")).collect()
-        } else {
-            self.family.domain.iter().map(|p| range_data(&p.range)).collect()
+        let side = |p: &Parameter| match self.simplex_of(p.var) {
+            Some(_) => String::from("(Inf, Inf)"),
+            None => range_data(&p.range),
         };
+        let mut sides: Vec<String> = self.family.domain.iter().map(side).collect();
         sides.extend(free.map(|p| range_data(&p.range)));
         let open: Vec<(Var, Range)> =
             variables_of(self.family).into_iter().filter(|(v, _)| env.contains(&v.0)).collect();
@@ -320,17 +316,23 @@ impl Subject<'_> {
     fn vanishes(&self, factors: &[String]) -> String {
         let coordinates = self.coordinates();
         let mut text = format!("forall {} : R, ", coordinates.join(" "));
-        if self.family.is_simplex() {
-            for x in &coordinates {
-                text += &format!("0 <= {x} -> ");
-            }
-            text += &format!("{} = 1 -> ", coordinates.join(" + "));
-        } else if let Some(angle) = &self.angle {
+        if let Some(angle) = &self.angle {
             text += &format!("{} -> ", angle.domain);
         } else {
-            for p in &self.family.domain {
-                text += &between(&self.names[p.var.0], &p.range)
-                    .map_or_else(String::new, |range| format!("{range} -> "));
+            for factor in self.family.factors() {
+                let own: Vec<&str> = factor.variables().map(|p| self.names[p.var.0].as_str()).collect();
+                match factor {
+                    Factor::Interval(p) => {
+                        let range = between(&self.names[p.var.0], &p.range);
+                        text += &range.map_or_else(String::new, |range| format!("{range} -> "));
+                    }
+                    Factor::Simplex(..) => {
+                        for x in &own {
+                            text += &format!("0 <= {x} -> ");
+                        }
+                        text += &format!("{} = 1 -> ", own.join(" + "));
+                    }
+                }
             }
         }
         let names: Vec<String> = coordinates.iter().map(|x| (*x).to_string()).collect();
@@ -346,8 +348,32 @@ impl Subject<'_> {
     fn coordinates(&self) -> Vec<&str> {
         match &self.angle {
             Some(angle) => vec![angle.variable.as_str()],
-            None => self.family.domain_variables().map(|p| self.names[p.var.0].as_str()).collect(),
+            None => self.variables().into_iter().map(|v| self.names[v].as_str()).collect(),
         }
+    }
+
+    /// The domain variables in the order in which functions take them.
+    fn variables(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.family.domain_variables().map(|p| p.var.0).collect();
+        all.sort_unstable();
+        all
+    }
+
+    /// The other coordinates of the simplex to which a coordinate belongs, without the last, and the last.
+    fn simplex_of(&self, var: Var) -> Option<(Vec<usize>, usize)> {
+        self.family.factors().into_iter().find_map(|factor| match factor {
+            Factor::Simplex(others, last) if factor.variables().any(|p| p.var == var) => {
+                Some((others.iter().map(|p| p.var.0).collect(), last.var.0))
+            }
+            _ => None,
+        })
+    }
+
+    /// 1 minus the others, for the last coordinate of a simplex.
+    fn rest(&self, variable: usize) -> Option<Term> {
+        let (others, _) = self.simplex_of(Var(variable)).filter(|(_, last)| *last == variable)?;
+        let others = others.into_iter().map(|v| (Sign::Minus, Term::Variable(v)));
+        Some(Term::Sum(std::iter::once((Sign::Plus, Term::integer(1))).chain(others).collect()))
     }
 
     /// The arguments of a function as data: all variables, or shape parameters and the tangent.
@@ -377,10 +403,16 @@ impl Subject<'_> {
 
     /// A basis function at independent coordinates.
     fn at(&self, function: usize, variables: &[String], written: bool) -> String {
-        let mut coordinates = variables.to_vec();
-        if self.family.is_simplex() {
-            coordinates.push(format!("(1 - {})", variables.join(" - ")));
-        }
+        let own =
+            |v: usize| self.family.domain.iter().position(|p| p.var.0 == v).map(|k| variables[k].clone());
+        let coordinate = |v: usize| match self.rest(v) {
+            Some(rest) => format!("({})", self.writer(&own).text(&rest)),
+            None => own(v).unwrap_or_default(),
+        };
+        let coordinates: Vec<String> = match &self.angle {
+            Some(_) => variables.to_vec(),
+            None => self.variables().into_iter().map(coordinate).collect(),
+        };
         self.called(function, &coordinates, written)
     }
 
@@ -393,23 +425,16 @@ impl Subject<'_> {
     fn functions(&self, order: &[usize]) -> Vec<String> {
         let none = |_: usize| None;
         let writer = self.writer(&none);
-        let independent = self.family.domain.iter().map(|p| (Sign::Minus, Term::Variable(p.var.0)));
-        let rest = Term::Sum(std::iter::once((Sign::Plus, Term::integer(1))).chain(independent).collect());
-        let dependent = self.family.simplices.first().map(|s| s.last.var.0);
-        let put = |v: usize| (Some(v) == dependent).then(|| rest.clone());
-        let args: Vec<Term> = self.arguments().iter().map(|x| x.put(&put)).collect();
+        let args: Vec<Term> = self.arguments().iter().map(|x| x.put(&|v| self.rest(v))).collect();
         let calls = self.formulas.functions.iter().map(|f| Term::Call(*f, args.clone()));
         calls.map(|call| writer.data(&call, order)).collect()
     }
 
     /// An interval for each independent coordinate, all together inside of the domain.
     fn dims(&self) -> Vec<(Rational, Rational)> {
-        let width = Rational::new(1, self.family.domain.len() as i64);
-        let inside = |p: &basis_engine::model::Parameter| {
-            if self.family.is_simplex() {
-                return Some((Rational::ZERO, width.clone()));
-            }
-            p.range.finite().map(|(a, b)| (a.clone(), b.clone()))
+        let inside = |p: &Parameter| match self.simplex_of(p.var) {
+            Some((others, _)) => Some((Rational::ZERO, Rational::new(1, others.len() as i64))),
+            None => p.range.finite().map(|(a, b)| (a.clone(), b.clone())),
         };
         self.family.domain.iter().filter_map(inside).collect()
     }

@@ -105,15 +105,10 @@ impl Export {
                 }
                 continue;
             }
-            if family.is_product() {
-                let why = "a family on a product of a simplex and something else";
-                self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
-                continue;
-            }
             let obligations: Vec<&Obligation> =
                 family.obligations.iter().chain(&decided.obligations).collect();
             // On a simplex one of the coordinates is expressed by the others.
-            if !family.is_simplex() && quotients::cancel(family, formulas, &obligations) {
+            if family.simplices.is_empty() && quotients::cancel(family, formulas, &obligations) {
                 let why = "a quotient that is brought into lowest terms";
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;

@@ -100,7 +100,9 @@ impl Subject<'_> {
         proof: &Proof,
     ) -> Result<String, Missing> {
         let (frame, boxed, variables, signs) = match proof.statement() {
-            Statement::Zero { value, domain } if self.family.is_simplex() && self.family.is_rational() => {
+            Statement::Zero { value, domain }
+                if !self.family.simplices.is_empty() && self.family.is_rational() =>
+            {
                 // Denominators do not vanish on the simplex alone.
                 let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
                 let chart = chart.map_err(|_| "a domain that has no chart")?;

@@ -354,6 +354,25 @@ family Signs {
     prove (m + 1)*(t - k)^2 + (2 - m)*(3*t - k)^2 >= 0;
     prove independent except k = 0;
 }
+family Prism {
+    domain triangle (u, v, w), -1 <= z <= 2;
+    shape 1 <= k <= 2;
+    let low = (2 - z)/3;
+    b[1,0,0,0] = u*low;
+    b[0,1,0,0] = v*low;
+    b[0,0,1,0] = w*low;
+    b[1,0,0,1] = u*(1 - low);
+    b[0,1,0,1] = v*(1 - low);
+    b[0,0,1,1] = w*(1 - low);
+    prove partition_of_unity;
+    prove nonnegative;
+    prove symmetric;
+    prove independent;
+    prove k*u*v <= 1/2 + z + 1;
+    prove at w = 0 { b[1,0,0,0] + b[0,1,0,0] = low; }
+    prove at z = 2, u = 1 { b[1,0,0,1] = 1; D(b[1,0,0,1], z) = 1/3; }
+    refute b[1,0,0,0] >= b[0,1,0,0];
+}
 family Tension {
     domain 0 <= t <= 1;
     shape 0 < r;
@@ -378,7 +397,17 @@ fn coq_accepts_factors_corners_and_different_denominators() {
     let run = folder.run(&["check", "--coq", "v", "others.basis"]);
     assert_eq!(run.code, 0, "{run:?}");
     let folder = folder.path().join("v");
-    let changes: [(&str, &[(&str, &str)]); 3] = [
+    let changes: [(&str, &[(&str, &str)]); 4] = [
+        (
+            "others_Prism.v",
+            &[
+                // the sum of the coordinates, the range of the last one, a function, a face
+                ("  u + v + w = 1 ->\n  b_0_0_1_0 k", "  u + v + w = 2 ->\n  b_0_0_1_0 k"),
+                ("  (-1) <= z <= 2 ->\n  0 <= u ->", "  (-1) <= z <= 3 ->\n  0 <= u ->"),
+                ("a'5 * b_1_0_0_1 k u v z w = 0) ->", "a'5 * b_0_1_0_1 k u v z w = 0) ->"),
+                ("  w = 0 ->\n", "  w = 1 ->\n"),
+            ],
+        ),
         ("others_Tension.v", &[("(Corner 0 ", "(Corner 1 "), ("  b_0 r t >= 0.", "  b_0 r t > 0.")]),
         (
             "others_Signs.v",

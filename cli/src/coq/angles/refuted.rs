@@ -78,7 +78,8 @@ impl Angular<'_> {
         }
         let quantified: Vec<&str> =
             shapes.map(|p| self.names[p.var.0].as_str()).chain([t.as_str()]).collect();
-        let conditions: String = hypotheses.iter().map(|h| format!("  {h} /\\\n")).collect();
+        let conditions: Vec<String> = hypotheses.iter().map(|h| format!("  {h} /\\\n")).collect();
+        let conditions = conditions.concat();
         let goal = writer.compared(&compared.left, compared.comparison, &compared.right);
         let mut text = format!(
             "Theorem {name} : exists {} : R,\n{conditions}  ~ ({goal}).\nProof.\n",
