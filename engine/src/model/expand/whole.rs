@@ -7,7 +7,7 @@ use basis_prover::collections::sort::sort_by_key;
 
 use super::build;
 use super::claims::{self, Wanted};
-use super::fixed;
+use super::fixed_angle;
 use super::spans::{self, ends};
 use crate::claim::{Claim, ClaimKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -218,7 +218,7 @@ fn apart<'a>(
         else {
             continue;
         };
-        let given = fixed::without_tangents(library, unit, written, family, bindings);
+        let given = fixed_angle::without_tangents(library, unit, written, family, bindings);
         if given.is_empty() {
             continue;
         }

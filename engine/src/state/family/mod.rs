@@ -1,5 +1,9 @@
 //! Claims about families.
 
+#[cfg(feature = "angles")]
+mod beside;
+#[cfg(not(feature = "angles"))]
+#[path = "no_beside.rs"]
 mod beside;
 mod identity;
 mod independent;
@@ -17,7 +21,7 @@ use basis_prover::{Coordinate, Counterexample, Failure, Method, Shown};
 use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
-use basis_kernel::{Domain, Statement};
+use basis_kernel::Statement;
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
@@ -25,11 +29,8 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Joint};
 use crate::model::chart::Piece;
-use crate::model::tangents::{has_ends, wider};
 use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::within;
-use beside::Sample;
 use point::{domain_names, named_point};
 
 #[cfg(any(test, feature = "tools"))]
@@ -71,6 +72,7 @@ struct Said {
 }
 
 /// What is said of a claim.
+#[cfg_attr(not(feature = "angles"), allow(dead_code))] // there are no ways
 enum Saying<'w> {
     /// What it says itself.
     Plainly,
@@ -80,6 +82,17 @@ enum Saying<'w> {
     Found(&'w mut Vec<usize>),
     /// What is enough for it by one way, for as many comparisons as are counted; nothing where that leads nowhere.
     By(usize, &'w mut usize),
+}
+
+/// What is enough for a comparison.
+#[cfg_attr(not(feature = "angles"), allow(dead_code))] // it is always itself
+enum Enough {
+    /// Nothing but itself: no variable stands beside its own sine or exponential in it.
+    Itself,
+    /// These statements, with the names of what they are about.
+    All(Vec<(Stated, String)>),
+    /// What no way to a proof says.
+    Unknown,
 }
 
 /// What a claim says, by the ways that are given; `None` when the budget of the family does not suffice to expand it.
@@ -129,7 +142,7 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         {
             return match *way {
                 independent::BY_SQUARES => independent::by_squares(family, true),
-                _ => independent::said(&wider(family)?, except),
+                _ => independent::said(&beside::wider(family)?, except),
             };
         }
         return independent::said(family, except);
@@ -159,10 +172,8 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
     for (number, part) in parts.iter().enumerate() {
         for (k, (of, value)) in expressions.iter().enumerate() {
             let comparison = comparison(k);
-            let steps = beside::is_mixed(&there, value, comparison)
-                .then(|| by_a_way(&there, (of, value, comparison), part, &mut sample, saying));
-            match steps {
-                Some(Some(steps)) => {
+            match beside::enough(&there, (of, value, comparison), part, &mut sample, saying) {
+                Enough::All(steps) => {
                     for (stated, of) in steps {
                         let stated =
                             Stated { of: on_part(&of, number, parts.len()), is_stronger: true, ..stated };
@@ -170,8 +181,8 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
                     }
                     continue;
                 }
-                Some(None) if matches!(saying, Saying::By(..)) => return None,
-                _ => {}
+                Enough::Unknown if matches!(saying, Saying::By(..)) => return None,
+                Enough::Unknown | Enough::Itself => {}
             }
             let (of, value) = if comparison == Comparison::Equal {
                 (of.clone(), value.clone())
@@ -192,55 +203,6 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         }
     }
     Some(all)
-}
-
-/// What is enough for a comparison in which an angle stands beside its sine, with the names of what it is about.
-fn by_a_way<'f>(
-    family: &'f Family,
-    (of, value, comparison): (&str, &Fraction, Comparison),
-    part: &(Piece, Rc<Domain>),
-    sample: &mut Option<Sample<'f>>,
-    saying: &mut Saying<'_>,
-) -> Option<Vec<(Stated, String)>> {
-    if matches!(saying, Saying::Plainly) {
-        return None;
-    }
-    let mut by = |way: usize| {
-        if way != beside::WIDER && sample.is_none() {
-            *sample = basis_prover::working(family.budget, &mut |work| Sample::new(family, work));
-        }
-        let sample = sample.as_ref();
-        let value = premises::Positive::of(&part.1).reduced(&value.quotient());
-        let value = Fraction::new(value.numerator, value.denominator)?;
-        let steps = basis_prover::working(family.budget, &mut |work| {
-            beside::steps(family, of, &value, comparison, (way, sample), work)
-        })?;
-        let mut all = Vec::new();
-        for step in steps {
-            let part = (part.0.clone(), step.domain(&part.1));
-            let (of, value) = without_numbers(family, step.of, family.analytic.reduced(step.value));
-            all.push((Stated::new(of.clone(), compared_on(&value, step.comparison, &part)?), of));
-        }
-        Some(all)
-    };
-    match saying {
-        Saying::Plainly => None,
-        Saying::Enough(ways) => by(ways.next().copied().unwrap_or(0)),
-        Saying::By(way, count) => {
-            **count += 1;
-            by(*way)
-        }
-        Saying::Found(found) => {
-            let proved = |all: &Vec<(Stated, String)>| {
-                all.iter().all(|(s, _)| {
-                    basis_prover::decide(s.statement.clone(), &s.symmetries, family.budget).is_ok()
-                })
-            };
-            let way = (0..beside::COUNT).find_map(|way| by(way).filter(proved).map(|all| (way, all)));
-            found.push(way.as_ref().map_or(0, |(way, _)| *way));
-            way.map(|(_, all)| all)
-        }
-    }
 }
 
 /// The label of a statement about one of several parts of the points.
@@ -341,71 +303,7 @@ pub(in crate::state) fn at_point(
     let mut all = said(family, claim, &mut Saying::Plainly)?.into_iter();
     let own = all.find(|s| s.stated.of == of && is_wider(family, &s.stated.statement))?;
     let there = family.where_fixed(claim.kind.fixed())?;
-    beside::at_point(&there, &own.stated.statement, &beside::rational_part(family, point))
-}
-
-/// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
-fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
-    let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
-        && !family.analytic.is_empty();
-    if !comparisons {
-        return None;
-    }
-    let all = said(family, claim, &mut Saying::Plainly)?;
-    let there = family.where_fixed(claim.kind.fixed())?;
-    for s in all {
-        let Statement::Sign { value, .. } = &s.stated.statement else { continue };
-        let value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
-        let fits = if only_mixed {
-            beside::is_mixed(&there, &value, Comparison::GreaterEqual)
-        } else {
-            is_wider(family, &s.stated.statement)
-        };
-        if !fits {
-            continue;
-        }
-        let found = basis_prover::working(family.budget, &mut |work| {
-            beside::refute(&there, &value, &s.stated.statement, work)
-        });
-        if let Some((found, proof)) = found {
-            let about = (s.of.clone(), &s.stated.statement);
-            let witness = witness(family, &claim.kind, about, &found, &s.piece).whatever(proof);
-            let whole = s.of == s.stated.of;
-            return Some(Verdict::Refuted(Box::new(if whole {
-                witness
-            } else {
-                witness.about(&s.stated.of)
-            })));
-        }
-    }
-    None
-}
-
-/// The work for a proof that is tried before counterexamples are searched.
-const AT_ONCE: u64 = 4_000_000;
-
-/// A claim in which an angle stands beside its sine, if the way that is tried first leads to a proof. It takes less time than the search for
-/// a counterexample, which most claims do not have.
-fn proved_at_once(family: &Family, claim: &Claim) -> Option<Verdict> {
-    // Where ranges end in numbers in exponentials, without these ends; otherwise the ladder of derivatives.
-    let way = if has_ends(family) { beside::WIDER } else { beside::LADDER };
-    let (stated, ways) = match &claim.kind {
-        ClaimKind::Nonnegative | ClaimKind::Relation { .. } => {
-            let mut count = 0;
-            let said = said(family, claim, &mut Saying::By(way, &mut count))?;
-            (said.into_iter().map(|said| said.stated).listed(), vec![way; count])
-        }
-        ClaimKind::Independent(except) if except.is_empty() && way == beside::WIDER => {
-            (statements(family, claim, &[0])?, vec![0])
-        }
-        _ => return None,
-    };
-    if ways.is_empty() {
-        return None;
-    }
-    let mut stated = Some(stated);
-    let shown = within(AT_ONCE, &mut || all(stated.take()?, family.budget).ok())?;
-    Some(Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)))
+    beside::at_point(family, &there, &own.stated.statement, point)
 }
 
 /// Decides a claim.
@@ -417,7 +315,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let ClaimKind::Rounding(epsilons) = &claim.kind {
         return rounding::decide(family, epsilons);
     }
-    if let Some(verdict) = proved_at_once(family, claim).or_else(|| refuted_beside(family, claim, true)) {
+    if let Some(verdict) =
+        beside::proved_at_once(family, claim).or_else(|| beside::refuted(family, claim, true))
+    {
         return verdict;
     }
     let mut ways = Vec::new();
@@ -460,7 +360,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
-            let verdict = refuted_beside(family, claim, false);
+            let verdict = beside::refuted(family, claim, false);
             verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {WIDER}")))
         }
         Err((label, Failure::Refuted(found))) => {
@@ -601,7 +501,7 @@ fn witness(
     let there = there.as_deref().unwrap_or(family);
     let whole = with_numbers(family, kind, &of);
     let factor = whole.as_ref().map(|(_, factor)| factor);
-    witness.shown = shown(there, found).or_else(|| beside::shown(family, found, &witness.value, factor));
+    witness.shown = beside::shown(family, there, found, &witness.value, factor);
     if let Some((text, factor)) = whole {
         (witness.of, witness.value) = (text, beside::about_number(family, &factor, &witness.value));
     }
@@ -616,57 +516,16 @@ fn witness(
         }
     }
     let point = piece.image(&found.point);
-    witness.places = point::places(family, kind.fixed(), &witness.at, &point);
+    witness.places = beside::places(family, kind.fixed(), &witness.at, &point);
     witness.notes = identity::notes(family, kind, &witness);
     let rational = point.iter().filter_map(|(var, c)| match c {
         Coordinate::Rational(x) => Some((*var, x.clone())),
         Coordinate::Algebraic(_) => None,
     });
-    for (name, x) in beside::about(there, &beside::rational_part(family, &rational.listed())) {
+    for (name, x) in beside::about(family, there, &rational.listed()) {
         if !witness.idle.contains(&name) {
             witness.notes.push(format!("{name} is about {x:.6} there"));
         }
     }
     witness
-}
-
-/// Longer numbers are shown as decimals.
-const LONGEST: usize = 48;
-
-/// A text with powers of exp(r) as one number, `exp(2)` for `exp(1/2)^4`.
-fn numbers_written(family: &Family, text: &str) -> String {
-    let Some((var, rate)) = &family.analytic.exponential else { return String::from(text) };
-    let power = format!("{}^", family.names[var.0]);
-    let mut parts = text.split(&power);
-    let mut written = String::from(parts.next().unwrap_or_default());
-    for part in parts {
-        let digits = part.chars().take_while(char::is_ascii_digit).count();
-        let exponent = part[..digits].parse::<i64>().map_or(Rational::ONE, Rational::from);
-        written.push_str(&format!("exp({}){}", &exponent * rate, &part[digits..]));
-    }
-    written
-}
-
-/// The value at a counterexample to an equation as text, if it contains π, exp(r), or a variable beside its sine.
-fn shown(family: &Family, found: &Counterexample) -> Option<String> {
-    let Statement::Zero { value, .. } = found.refutation.statement() else { return None };
-    let wide = |v: Var| {
-        family.analytic.numbers().contains(&v) || family.analytic.angles.iter().any(|a| a.itself == v)
-    };
-    let of = |p: &Poly| p.variables().into_iter().any(wide);
-    if !of(&value.numerator) && !of(&value.denominator) {
-        return None;
-    }
-    let rational = found.point.iter().filter_map(|(v, c)| match c {
-        Coordinate::Rational(x) if !wide(*v) => Some((*v, x.clone())),
-        _ => None,
-    });
-    let rational = rational.listed();
-    let put = |p: &Poly| rational.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
-    let value = Fraction::new(put(&value.numerator), put(&value.denominator))?;
-    let exact = beside::exact(family, &rational);
-    let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
-    let text = numbers_written(family, &value.display(&family.names));
-    let number = family.analytic.number(&value).filter(|_| text.len() > LONGEST);
-    Some(number.map_or(text, |x| format!("about {}", beside::decimal(x.to_f64()))))
 }
