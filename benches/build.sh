@@ -8,6 +8,10 @@
 #
 # Our crates are built from the folders of this repository; Cargo gives path dependencies incremental compilation, registry
 # dependencies not, so it is switched off for all.
+#
+# The budget is about the first two rows: polynomials and quotients on intervals, simplices and their products, without what
+# the default features `angles`, `rounding` and those of the runtime bring. Whoever wants little switches the defaults off;
+# the row of the default features is what the others pay.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -74,6 +78,10 @@ if has runtime joins; then
 fi
 crate defaults "basis-runtime = { path = \"$root/runtime\" }" <<<"$with_macro"
 row defaults 'one `basis!`, default features of the runtime'
+if has runtime angles; then
+    crate angles "$(runtime std macros joins angles)" <<<"$with_macro"
+    row angles 'the first with `angles` as well'
+fi
 if has runtime macros; then
     crate alone "$(runtime std)" <<<"$without_macro"
     row alone 'runtime with `std`, without the macro'

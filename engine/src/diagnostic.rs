@@ -188,6 +188,16 @@ impl Diagnostic {
         self
     }
 
+    /// The error for what a feature of the runtime is needed for that is off: `theorems and joins need`, `joins`.
+    #[cfg(not(all(feature = "angles", feature = "joins", feature = "rounding")))]
+    pub(crate) fn needs_feature(place: Place, what: &str, feature: &str) -> Self {
+        let error =
+            Self::error(place, format!("{what} the feature `{feature}` of basis-runtime, which is off"));
+        error.help(format!(
+            "switch it on in `Cargo.toml`: `basis-runtime = {{ …, features = [\"{feature}\"] }}`"
+        ))
+    }
+
     /// Line and column of the main place, counted from one; `None` for tokens of a macro call.
     pub fn line_column(&self, sources: &Sources) -> Option<(usize, usize)> {
         match self.labels.first()? {

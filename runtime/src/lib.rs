@@ -135,6 +135,7 @@
 //! | `libm` | no | square roots, angles and exponentials without `std`; with `std` it changes nothing |
 //! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
 //! | `macros` | yes | [`basis!`] |
+//! | `angles` | yes | sines, exponentials and π in specs, and domains that end at a shape parameter; without it the first of them is an error that names the feature; implies `macros` |
 //! | `joins` | yes | theorems and joins in specs; without it the first of them is an error that names the feature; implies `macros` |
 //! | `rounding` | yes | proved bounds of the rounding errors of generated functions, as constants and in claims; implies `macros` |
 //! | `geometry` | yes | what all types of curves answer, `ParametricCurve`, and what surfaces of Bézier patches do, `BoundedSurface`; implies `alloc` |

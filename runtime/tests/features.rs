@@ -12,7 +12,7 @@ fn cargo(folder: &Path, args: &[&str]) -> Output {
         .env("CARGO_TERM_COLOR", "never")
         .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env_remove("RUSTFLAGS") // under a sanitizer they are not for macros, and these builds name no target
-        .env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("features"))
+        .env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("users")) // shared with tests/tests/toolchain
         .output()
         .expect("cargo can be started")
 }
@@ -114,6 +114,35 @@ fn what_needs_a_feature_says_which() {
     for feature in ["bspline", "mesh"] {
         assert!(message.contains(&format!("gated behind the `{feature}` feature")), "{message}");
     }
+}
+
+#[test]
+fn what_specs_need_features_for_says_which() {
+    let family = |name: &str, body: &str| {
+        format!("basis_runtime::basis! {{ family {name} {{ {body} prove partition_of_unity; }} }}\n")
+    };
+    let source = [
+        family("Sine", "domain 0 <= t <= pi/2;\nb[0] = sin(t)^2;\nb[1] = cos(t)^2;"),
+        family("Exponential", "domain 0 <= t <= 1;\nb[0] = exp(-t);\nb[1] = 1 - exp(-t);"),
+        family("Parameter", "shape 0 < α;\ndomain 0 <= t <= α;\nb[0] = t/α;\nb[1] = 1 - t/α;"),
+        family("Rounded", "domain 0 <= t <= 1;\nb[0] = t;\nb[1] = 1 - t;\nprove rounding <= 4;"),
+        family("Line", "domain 0 <= t <= 1;\nb[0] = t;\nb[1] = 1 - t;"),
+        String::from("pub fn line() -> [f64; 2] { Line::new().values(0.5) }\n"),
+    ];
+    let message = refusal("angles", "\"std\", \"macros\"", &source.concat());
+    let said =
+        "sines and exponentials, `pi`, and domains that end at a shape parameter need the feature `angles`";
+    assert_eq!(message.matches(said).count(), 3, "{message}"); // one mistake, one error
+    let said = "claims about rounding need the feature `rounding`";
+    assert_eq!(message.matches(said).count(), 1, "{message}");
+    for (feature, place) in
+        [("angles", "t <= pi/2"), ("angles", "exp(-t)"), ("angles", "t <= α"), ("rounding", "prove rounding")]
+    {
+        assert!(message.contains(&format!("features = [\"{feature}\"]")), "{message}");
+        assert!(message.contains(place), "{message}");
+    }
+    let errors = message.lines().filter(|line| line.starts_with("error"));
+    assert_eq!(errors.count(), 5, "{message}"); // the last one: could not compile
 }
 
 #[test]

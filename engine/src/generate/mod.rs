@@ -19,6 +19,10 @@ mod rounding;
 #[path = "no_rounding.rs"]
 mod rounding;
 mod rust;
+#[cfg(feature = "angles")]
+mod series;
+#[cfg(not(feature = "angles"))]
+#[path = "no_series.rs"]
 mod series;
 
 use std::borrow::Cow;

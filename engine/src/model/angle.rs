@@ -88,6 +88,7 @@ impl Angle {
 
     /// s where it does not stand beside its sine, from the lower to the upper end as y, which does not occur, runs through its
     /// range.
+    #[cfg(feature = "angles")]
     pub(crate) fn along(&self, range: &Range) -> Option<Fraction> {
         let [first, last] = &self.limits;
         let low = range.low.value()?;

@@ -55,13 +55,14 @@ impl Crate {
     }
 
     fn run(&self, variables: &[(&str, &str)]) -> Output {
-        // One target folder for all runs of the tests: the dependencies are built once.
-        let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rebuild");
+        // One target folder for all runs, and for those of `runtime/tests/features.rs`: the dependencies are built once.
+        let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("users");
         Command::new(env!("CARGO"))
             .args(["run", "--quiet", "--offline"])
             .current_dir(self.0.path())
             .env("CARGO_TERM_COLOR", "never")
             .env("CARGO_TARGET_DIR", target)
+            .env_remove("RUSTFLAGS")
             .envs(variables.iter().copied())
             .output()
             .expect("cargo can be started")

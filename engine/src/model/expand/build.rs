@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 
 use super::domain::domain;
-use super::{angles, claims, functions, indices, names, shapes};
+use super::{angles, claims, functions, indices, names, occurs, shapes};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
@@ -49,8 +49,8 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         }
     }
     set_known_factors(Vec::new());
-    let (shapes, domain) = if angles::occur(written) {
-        match angles::declare(scope, written) {
+    let (shapes, domain) = if let Some(place) = occurs::first(written) {
+        match angles::declare(scope, written, place) {
             Some((shapes, domain)) => {
                 set_known_factors(scope.analytic.denominators());
                 (Some(shapes), Some(domain))

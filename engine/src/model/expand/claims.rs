@@ -11,6 +11,8 @@ use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Difference, Joint, Statement};
+#[cfg(not(any(test, feature = "rounding")))]
+use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Diagnostics;
 use crate::model::angle::Anew;
 use crate::model::formula::Value;
@@ -269,14 +271,8 @@ fn property(
         }
         #[cfg(not(any(test, feature = "rounding")))]
         syntax::ClaimKind::Rounding(_) => {
-            let error = scope.error(
-                span,
-                "claims about rounding need the feature `rounding` of basis-runtime, which is off",
-            );
-            scope
-                .report(error.help(
-                    "switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"rounding\"] }`",
-                ));
+            let place = scope.place(span);
+            scope.report(Diagnostic::needs_feature(place, "claims about rounding need", "rounding"));
             return None;
         }
         #[cfg(any(test, feature = "rounding"))]

@@ -1,94 +1,19 @@
-//! The values that `at` blocks fix: of variables, of angles, and of barycentric coordinates.
-//!
-//! A family with angles is expanded in tangents of parts of them, which may be irrational where the angle itself has a simple
-//! value: with tan(α/4), at α = π/2. What is claimed there is about the family with π/2 in place of α, expanded anew.
+//! The values that `at` blocks fix: of variables, of barycentric coordinates, and by `fixed_angle` of angles.
 
 use basis_prover::collections::sort::sort_by_key;
 use proc_macro2::Span;
 
-use super::angles::{are_ordered, is_alone};
-use super::names;
+use super::fixed_angle::fixed_angle;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::model::angle::{Angle, Given, Kind};
-use crate::model::enclosure::pi_bounds;
-use crate::model::formula::phase::Linear;
-use crate::model::formula::print::Printer;
 use crate::model::scope::{Inside, Scope};
-use crate::model::{Barycentric, Family, Library, Parameter, chart, label};
-use crate::syntax::{self, Binding, StatementKind};
+use crate::model::{Barycentric, Family, Parameter, chart, label};
+use crate::syntax::Binding;
 use basis_prover::collections::list::Listed;
 
-/// The angles among the shape parameters that a block fixes to values inside of their ranges at which their tangents are
-/// irrational; the family has to be expanded with these values.
-pub(super) fn without_tangents<'a>(
-    library: &'a Library<'a>,
-    unit: usize,
-    written: &'a syntax::Family,
-    family: &Family,
-    bindings: &'a [Binding],
-) -> Given {
-    let is_angle = |binding: &&Binding| {
-        let angles = &family.analytic.angles;
-        let named = |angle: &&Angle| angle.kind == Kind::Circular && angle.name == binding.name.text;
-        binding.indices.is_empty()
-            && angles.iter().find(named).is_some_and(|angle| family.shapes.iter().any(|p| p.var == angle.var))
-    };
-    let mut angles = bindings.iter().filter(is_angle).peekable();
-    if angles.peek().is_none() {
-        return Given::new();
-    }
-    let mut scope = Scope::of_family(library, unit, family);
-    names::plan(&mut scope, written);
-    let mut given = Given::new();
-    for binding in angles {
-        let value = names::attempt(&mut scope, &mut |scope| scope.scalar(&binding.value));
-        let angle = family.analytic.angles.iter().find(|angle| angle.name == binding.name.text);
-        let (Some(value), Some(angle)) = (value, angle) else { continue };
-        let Some(turns) = multiple_of_pi(&value, &scope) else { continue };
-        let is_rational = match scope.angle_at(angle, &value, binding.value.span) {
-            Ok(y) => y.is_some_and(|y| family.analytic.roots.iter().all(|root| !y.depends_on(root.var))),
-            Err(_) => false,
-        };
-        if !is_rational && lies_inside(&turns, written, angle, &scope) {
-            given.push((angle.name.clone(), turns));
-        }
-    }
-    given
-}
-
-/// How many times π a number is.
-fn multiple_of_pi(value: &Fraction, scope: &Scope<'_>) -> Option<Rational> {
-    let linear = Linear::of(value, scope.analytic.pi)?;
-    (linear.parts.is_empty() && linear.number.is_zero()).then_some(linear.pi)
-}
-
-/// Whether a multiple of π lies in the range of a shape parameter that has a range of its own.
-fn lies_inside(turns: &Rational, written: &syntax::Family, angle: &Angle, scope: &Scope<'_>) -> bool {
-    let declared = written.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::Shape(decls) => decls.iter().find(|decl| is_alone(decl, &angle.name)),
-        _ => None,
-    });
-    let Some(decl) = declared else { return false };
-    let limits = angle.limits.iter().zip(&angle.ends).zip([1, -1]);
-    // The first part is the lower end, if there is one, and the last part the upper one.
-    let included = [decl.included.first(), decl.included.last()];
-    limits.zip(included).all(|(((limit, text), side), included)| {
-        if text.is_empty() {
-            return true;
-        }
-        let Some(limit) = Linear::of(limit, scope.analytic.pi).filter(|limit| limit.parts.is_empty()) else {
-            return false;
-        };
-        let side = Rational::from(side);
-        let (rise, beyond) = (&(turns - &limit.pi) * &side, &limit.number * &side);
-        let (low, high) = pi_bounds();
-        let distances = [&(&rise * low) - &beyond, &(&rise * high) - &beyond];
-        let inside = |d: &Rational| d.is_positive() || d.is_zero() && included == Some(&true);
-        distances.iter().all(inside)
-    })
-}
+/// Variables and what takes their places.
+pub(super) type Fixed = Vec<(Var, Fraction)>;
 
 /// The name that gets a value, indices as numbers.
 pub(super) fn bound_name(scope: &mut Scope<'_>, binding: &Binding) -> Option<String> {
@@ -111,12 +36,8 @@ pub(super) fn assumed_away(scope: &Scope<'_>, family: &Family, span: Span, messa
 }
 
 /// The values that an `at` block fixes.
-pub(super) fn fixed(
-    scope: &mut Scope<'_>,
-    family: &Family,
-    bindings: &[Binding],
-) -> Option<Vec<(Var, Fraction)>> {
-    let mut fixed: Vec<(Var, Fraction)> = Vec::new();
+pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option<Fixed> {
+    let mut fixed = Fixed::new();
     let pending = scope.pending.len();
     let mut all: Vec<(&Binding, String)> = Vec::new();
     for binding in bindings {
@@ -221,7 +142,7 @@ fn fix(
     (family, parameter): (&Family, &Parameter),
     name: &str,
     (value, binding): (Fraction, &Binding),
-    fixed: &mut Vec<(Var, Fraction)>,
+    fixed: &mut Fixed,
 ) -> Option<()> {
     let is_point = scope.is_domain_variable(parameter.var);
     let range = scope.between_knots(&parameter.range, !is_point || value.as_constant().is_some());
@@ -266,91 +187,17 @@ fn zero(f: &Fraction, var: Var) -> Option<Fraction> {
 }
 
 /// A value with those of the shape parameters that are fixed.
-fn put(scope: &Scope<'_>, value: Fraction, fixed: &[(Var, Fraction)], span: Span) -> Option<Fraction> {
+pub(super) fn put(
+    scope: &Scope<'_>,
+    value: Fraction,
+    fixed: &[(Var, Fraction)],
+    span: Span,
+) -> Option<Fraction> {
     fixed.iter().try_fold(value, |value, (var, x)| scope.put_one(&value, *var, x, span))
 }
 
-/// Fixes an angle: what takes its place, and the variable itself.
-fn fixed_angle(
-    scope: &mut Scope<'_>,
-    family: &Family,
-    angle: &Angle,
-    (value, binding): (Fraction, &Binding),
-    fixed: &mut Vec<(Var, Fraction)>,
-) -> Option<()> {
-    let span = binding.value.span;
-    let mut y = match scope.angle_at(angle, &value, span) {
-        Ok(y) => y?,
-        // Half a turn from the middle of one span lies in another, or in none, which is said where all are known.
-        Err(_) if scope.span.is_some() && Linear::of(&value, scope.analytic.pi).is_some() => return None,
-        Err((message, help)) => {
-            scope.report(scope.error(span, message).help(help));
-            return None;
-        }
-    };
-    let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == angle.var)?;
-    let declared = family.declared(parameter);
-    if scope.is_domain_variable(angle.var) {
-        y = put(scope, y, fixed, span)?;
-        if scope.lies_elsewhere(&y, &parameter.range, family) {
-            return None;
-        }
-    }
-    let outside = match scope.analytic.number(&y) {
-        Some(c) => !parameter.range.contains(&c),
-        None => is_beyond(&value, angle),
-    };
-    let shown = Printer { constants: &scope.constants, component: None }.print(&binding.value);
-    let written = format!("{} = {shown}", angle.name);
-    if outside {
-        let message = format!("{written} is outside of the declared range `{declared}`");
-        let help = "claims are about the declared ranges; widen the range, or choose a value inside";
-        scope.report(scope.error(span, message).help(help));
-        return None;
-    }
-    let is_number = scope.analytic.number(&y).is_some();
-    if y.as_constant().is_none() && !is_between_ends(scope, family, angle, &value) {
-        let inside = Inside {
-            value: y.clone(),
-            name: parameter.name.clone(),
-            range: scope.between_knots(&parameter.range, !scope.is_domain_variable(angle.var) || is_number),
-            family: None,
-            assumable: false,
-            written: Some((written, declared)),
-        };
-        let place = scope.place(span);
-        scope.must_stay_inside(inside, place);
-    }
-    fixed.push((angle.var, y));
-    fixed.push((angle.itself, value));
-    Some(())
-}
-
-/// Whether a value, a sum of multiples of parameters, is seen to lie between the ends of an angle, and at neither.
-fn is_between_ends(scope: &Scope<'_>, family: &Family, angle: &Angle, value: &Fraction) -> bool {
-    let linear = |f: &Fraction| Linear::of(f, scope.analytic.pi);
-    let [Some(low), Some(high), Some(value)] = [&angle.limits[0], &angle.limits[1], value].map(linear) else {
-        return false;
-    };
-    angle.ends.iter().all(|end| !end.is_empty())
-        && are_ordered(scope, &low, &value, &family.shapes)
-        && are_ordered(scope, &value, &high, &family.shapes)
-}
-
-/// Whether a number lies beyond the ends of a range that are numbers.
-fn is_beyond(value: &Fraction, angle: &Angle) -> bool {
-    let Some(value) = value.as_constant() else { return false };
-    let end = |side: usize| angle.limits[side].as_constant().filter(|_| !angle.ends[side].is_empty());
-    end(0).is_some_and(|low| value < low) || end(1).is_some_and(|high| value > high)
-}
-
 /// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.
-fn independent(
-    scope: &Scope<'_>,
-    simplex: &Barycentric,
-    mut fixed: Vec<(Var, Fraction)>,
-    span: Span,
-) -> Option<Vec<(Var, Fraction)>> {
+fn independent(scope: &Scope<'_>, simplex: &Barycentric, mut fixed: Fixed, span: Span) -> Option<Fixed> {
     let (own, dependent) = (&scope.domain[simplex.places.clone()], simplex.last.var);
     let given = fixed.iter().filter(|(v, _)| own.contains(v) || *v == dependent);
     // What the given coordinates leave for the others.

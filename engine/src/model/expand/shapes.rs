@@ -112,6 +112,7 @@ fn rounds(scope: &mut Scope<'_>, decl: &ShapeDecl) -> Option<Vec<Vec<(String, i6
     Some(rounds)
 }
 
+#[cfg(feature = "angles")]
 /// The chains that one with index variables stands for: names such as `w[0]` in place of indices.
 pub(super) fn without_indices(scope: &mut Scope<'_>, decl: &ShapeDecl) -> Option<Vec<ShapeDecl>> {
     let is_indexed = |e: &Expr| matches!(e.kind, ExprKind::Index(..));

@@ -215,6 +215,7 @@ impl Scope<'_> {
             return None;
         }
         let (mut vars, mut values) = (Vec::new(), Vec::new());
+        #[cfg(feature = "angles")]
         if let Some(recorded) = &mut self.recorded {
             recorded.places.extend(self.domain.iter().copied().zip(by.iter().cloned()));
         }

@@ -5,8 +5,8 @@
 
 use proc_macro2::Span;
 
+use super::AngleValue;
 use super::Value;
-use super::antiderivative::AngleValue;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;

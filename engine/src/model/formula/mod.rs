@@ -1,20 +1,31 @@
 //! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives, integrals,
-//! names with arguments, calls of other families, loops, and expressions that must be numbers; `settle` decides what has
+//! names with arguments, calls of other families, loops, and expressions that must be numbers; `phase`, `angle_integral` and
+//! `beside` for angles; `settle` decides what has
 //! to hold for them to mean something; `print` writes them into messages.
 
+#[cfg(feature = "angles")]
+mod angle_integral;
 mod antiderivative;
 mod arguments;
+#[cfg(feature = "angles")]
+mod beside;
 mod calls;
 mod derivatives;
 mod evaluate;
 mod integrals;
 mod loops;
+#[cfg(not(feature = "angles"))]
+mod no_angles;
 pub(crate) mod numbers;
+#[cfg(feature = "angles")]
 pub(crate) mod phase;
 pub(crate) mod print;
 mod settle;
 
 use crate::algebra::fraction::Fraction;
+
+/// A value of an angle: y, and the angle itself.
+type AngleValue = (Fraction, Fraction);
 
 /// What an expression is.
 #[derive(Clone, Debug)]

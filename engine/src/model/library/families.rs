@@ -267,11 +267,7 @@ impl Library<'_> {
     pub(crate) fn refuse_theorems(&self) {
         let Some(first) = self.theorems_of(MAIN).next() else { return };
         let place = self.place(self.units[MAIN].source, first.name.span);
-        let message = "theorems and joins need the feature `joins` of basis-runtime, which is off";
-        let error = Diagnostic::error(place, message);
-        self.report(
-            error.help("switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"joins\"] }`"),
-        );
+        self.report(Diagnostic::needs_feature(place, "theorems and joins need", "joins"));
     }
 
     /// Counts a family of one order, or a theorem; `None` when there are too many.

@@ -53,6 +53,7 @@ pub(crate) enum Subject {
 }
 
 /// An argument of sin, cos, exp or the like.
+#[cfg(feature = "angles")]
 pub(crate) struct Argument {
     /// The name of the function.
     pub(crate) name: String,
@@ -61,6 +62,7 @@ pub(crate) struct Argument {
 }
 
 /// What formulas contain.
+#[cfg(feature = "angles")]
 #[derive(Default)]
 pub(crate) struct Recorded {
     pub(crate) arguments: Vec<Argument>,
@@ -149,6 +151,7 @@ pub(crate) struct Scope<'a> {
     /// The families on all spans, once they are expanded, with the text of the family.
     pub(crate) siblings: Option<(Vec<std::rc::Rc<Family>>, &'a crate::syntax::Family)>,
     /// The arguments of sin, cos, exp and the like, while only these are looked for.
+    #[cfg(feature = "angles")]
     pub(crate) recorded: Option<Recorded>,
     pub(crate) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
@@ -518,6 +521,7 @@ impl Scope<'_> {
             analytic: Analytic::default(),
             span: None,
             siblings: None,
+            #[cfg(feature = "angles")]
             recorded: None,
             function_name: String::new(),
             functions: SortedMap::new(),

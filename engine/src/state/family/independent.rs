@@ -4,23 +4,21 @@ use basis_kernel::{Domain, Relation, Statement, Values};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
-use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry, simple};
+use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
 
 use std::rc::Rc;
 
-use super::Said;
 use super::point::{domain_names, named_point};
 use super::premises::{self, Positive};
 use super::total::determinant;
+use super::{Said, beside};
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
-use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Kind};
 use crate::model::bernstein::{bernstein_table, graded_table};
 use crate::model::chart::Piece;
-use crate::model::enclosure::{Anchor, From, row_without};
 use crate::model::{Family, Parameter};
 use crate::state::verdict::{Stated, Witness};
 
@@ -61,7 +59,7 @@ pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
         let row = |row: &Vec<Poly>| row.iter().map(|p| piece.pull_back(p)).collect::<Option<Vec<Poly>>>();
         let domain = piece.domain();
         let rows = Positive::of(&domain).of_rows(rows.iter().map(row).collect::<Option<Vec<_>>>()?);
-        let (rows, region, is_stronger) = match between_bounds(family, &rows, &domain.region) {
+        let (rows, region, is_stronger) = match beside::rows_between_bounds(family, &rows, &domain.region) {
             Some((rows, region)) => (rows, region, true),
             None => (rows, domain.region, false),
         };
@@ -144,32 +142,6 @@ fn nonzero_factors(p: &Poly, domain: &Domain) -> Option<Vec<Poly>> {
     let point = premises::inside(p, domain)?;
     let turned = |factor: Poly| if factor.eval(&point).is_negative() { -&factor } else { factor };
     Some(factors.into_iter().map(|(factor, _)| turned(factor)).listed())
-}
-
-/// The rows with all numbers between their bounds in place of parameters beside their sines; `None` where there is no such
-/// parameter. If these are independent, the rows are.
-fn between_bounds(family: &Family, rows: &[Vec<Poly>], region: &Region) -> Option<(Vec<Vec<Poly>>, Region)> {
-    const LEVEL: u32 = 3;
-    let occurs = |a: &&Angle| {
-        a.kind != Kind::Linear && a.itself != a.var && rows.iter().flatten().any(|p| p.depends_on(a.itself))
-    };
-    let angles = family.analytic.angles.iter().filter(occurs).listed();
-    if angles.is_empty() {
-        return None;
-    }
-    let (mut rows, mut region) = (rows.to_vec(), region.clone());
-    let typical = region.ranges.mapped(|(var, range)| (*var, simple(range)));
-    for angle in angles {
-        let range = region.range(angle.var);
-        let from = From { anchor: Anchor::Zero, range: &range, n: LEVEL, typical: &typical };
-        for row in &mut rows {
-            *row = basis_prover::working(family.budget, &mut |work| {
-                row_without(row, &family.analytic, angle, &from, work)
-            })?;
-        }
-        region.ranges.push((angle.itself, Range::unit()));
-    }
-    Some((rows, region))
 }
 
 /// Values of parameters as values of the variables of a box, in as many ways as there are; `None` where they are not of

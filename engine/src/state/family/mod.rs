@@ -1,5 +1,9 @@
 //! Claims about families.
 
+#[cfg(feature = "angles")]
+mod beside;
+#[cfg(not(feature = "angles"))]
+#[path = "no_beside.rs"]
 mod beside;
 mod identity;
 mod independent;
@@ -18,7 +22,7 @@ use basis_prover::{Coordinate, Failure, Method, Shown};
 use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict};
-use basis_kernel::{Domain, Statement};
+use basis_kernel::Statement;
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
@@ -26,14 +30,11 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Joint};
 use crate::model::chart::Piece;
-use crate::model::tangents::{has_ends, wider};
 use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::within;
-use beside::Sample;
 #[cfg(feature = "joins")]
 pub(in crate::state) use premises::{counterexample as premises_counterexample, without as without_premises};
-use witness::{numbers_written, witness};
+use witness::witness;
 
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use identity::moves;
@@ -74,6 +75,7 @@ struct Said {
 }
 
 /// What is said of a claim.
+#[cfg_attr(not(feature = "angles"), allow(dead_code))] // there are no ways
 enum Saying<'w> {
     /// What it says itself.
     Plainly,
@@ -83,6 +85,17 @@ enum Saying<'w> {
     Found(&'w mut Vec<usize>),
     /// What is enough for it by one way, for as many comparisons as are counted; nothing where that leads nowhere.
     By(usize, &'w mut usize),
+}
+
+/// What is enough for a comparison.
+#[cfg_attr(not(feature = "angles"), allow(dead_code))] // it is always itself
+enum Enough {
+    /// Nothing but itself: no variable stands beside its own sine or exponential in it.
+    Itself,
+    /// These statements, with the names of what they are about.
+    All(Vec<(Stated, String)>),
+    /// What no way to a proof says.
+    Unknown,
 }
 
 /// What a claim says, by the ways that are given; `None` when the budget of the family does not suffice to expand it.
@@ -132,7 +145,7 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         {
             return match *way {
                 independent::BY_SQUARES => independent::by_squares(family, true),
-                _ => independent::said(&wider(family)?, except),
+                _ => independent::said(&beside::wider(family)?, except),
             };
         }
         return independent::said(family, except);
@@ -162,10 +175,8 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
     for (number, part) in parts.iter().enumerate() {
         for (k, (of, value)) in expressions.iter().enumerate() {
             let comparison = comparison(k);
-            let steps = beside::is_mixed(&there, value, comparison)
-                .then(|| by_a_way(&there, (of, value, comparison), part, &mut sample, saying));
-            match steps {
-                Some(Some(steps)) => {
+            match beside::enough(&there, (of, value, comparison), part, &mut sample, saying) {
+                Enough::All(steps) => {
                     for (stated, of) in steps {
                         let stated =
                             Stated { of: on_part(&of, number, parts.len()), is_stronger: true, ..stated };
@@ -173,8 +184,8 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
                     }
                     continue;
                 }
-                Some(None) if matches!(saying, Saying::By(..)) => return None,
-                _ => {}
+                Enough::Unknown if matches!(saying, Saying::By(..)) => return None,
+                Enough::Unknown | Enough::Itself => {}
             }
             let (of, value) = if comparison == Comparison::Equal {
                 (of.clone(), value.clone())
@@ -195,55 +206,6 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         }
     }
     Some(all)
-}
-
-/// What is enough for a comparison in which an angle stands beside its sine, with the names of what it is about.
-fn by_a_way<'f>(
-    family: &'f Family,
-    (of, value, comparison): (&str, &Fraction, Comparison),
-    part: &(Piece, Rc<Domain>),
-    sample: &mut Option<Sample<'f>>,
-    saying: &mut Saying<'_>,
-) -> Option<Vec<(Stated, String)>> {
-    if matches!(saying, Saying::Plainly) {
-        return None;
-    }
-    let mut by = |way: usize| {
-        if way != beside::WIDER && sample.is_none() {
-            *sample = basis_prover::working(family.budget, &mut |work| Sample::new(family, work));
-        }
-        let sample = sample.as_ref();
-        let value = premises::Positive::of(&part.1).reduced(&value.quotient());
-        let value = Fraction::new(value.numerator, value.denominator)?;
-        let steps = basis_prover::working(family.budget, &mut |work| {
-            beside::steps(family, of, &value, comparison, (way, sample), work)
-        })?;
-        let mut all = Vec::new();
-        for step in steps {
-            let part = (part.0.clone(), step.domain(&part.1));
-            let (of, value) = without_numbers(family, step.of, family.analytic.reduced(step.value));
-            all.push((Stated::new(of.clone(), compared_on(&value, step.comparison, &part)?), of));
-        }
-        Some(all)
-    };
-    match saying {
-        Saying::Plainly => None,
-        Saying::Enough(ways) => by(ways.next().copied().unwrap_or(0)),
-        Saying::By(way, count) => {
-            **count += 1;
-            by(*way)
-        }
-        Saying::Found(found) => {
-            let proved = |all: &Vec<(Stated, String)>| {
-                all.iter().all(|(s, _)| {
-                    basis_prover::decide(s.statement.clone(), &s.symmetries, family.budget).is_ok()
-                })
-            };
-            let way = (0..beside::COUNT).find_map(|way| by(way).filter(proved).map(|all| (way, all)));
-            found.push(way.as_ref().map_or(0, |(way, _)| *way));
-            way.map(|(_, all)| all)
-        }
-    }
 }
 
 /// The label of a statement about one of several parts of the points.
@@ -344,71 +306,7 @@ pub(in crate::state) fn at_point(
     let mut all = said(family, claim, &mut Saying::Plainly)?.into_iter();
     let own = all.find(|s| s.stated.of == of && is_wider(family, &s.stated.statement))?;
     let there = family.where_fixed(claim.kind.fixed())?;
-    beside::at_point(&there, &own.stated.statement, &beside::rational_part(family, point))
-}
-
-/// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
-fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
-    let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
-        && !family.analytic.is_empty();
-    if !comparisons {
-        return None;
-    }
-    let all = said(family, claim, &mut Saying::Plainly)?;
-    let there = family.where_fixed(claim.kind.fixed())?;
-    for s in all {
-        let Statement::Sign { value, .. } = &s.stated.statement else { continue };
-        let value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
-        let fits = if only_mixed {
-            beside::is_mixed(&there, &value, Comparison::GreaterEqual)
-        } else {
-            is_wider(family, &s.stated.statement)
-        };
-        if !fits {
-            continue;
-        }
-        let found = basis_prover::working(family.budget, &mut |work| {
-            beside::refute(&there, &value, &s.stated.statement, work)
-        });
-        if let Some((found, proof)) = found {
-            let about = (s.of.clone(), &s.stated.statement);
-            let witness = witness(family, &claim.kind, about, &found, &s.piece).whatever(proof);
-            let whole = s.of == s.stated.of;
-            return Some(Verdict::Refuted(Box::new(if whole {
-                witness
-            } else {
-                witness.about(&s.stated.of)
-            })));
-        }
-    }
-    None
-}
-
-/// The work for a proof that is tried before counterexamples are searched.
-const AT_ONCE: u64 = 4_000_000;
-
-/// A claim in which an angle stands beside its sine, if the way that is tried first leads to a proof. It takes less time than the search for
-/// a counterexample, which most claims do not have.
-fn proved_at_once(family: &Family, claim: &Claim) -> Option<Verdict> {
-    // Where ranges end in numbers in exponentials, without these ends; otherwise the ladder of derivatives.
-    let way = if has_ends(family) { beside::WIDER } else { beside::LADDER };
-    let (stated, ways) = match &claim.kind {
-        ClaimKind::Nonnegative | ClaimKind::Relation { .. } => {
-            let mut count = 0;
-            let said = said(family, claim, &mut Saying::By(way, &mut count))?;
-            (said.into_iter().map(|said| said.stated).listed(), vec![way; count])
-        }
-        ClaimKind::Independent(except) if except.is_empty() && way == beside::WIDER => {
-            (statements(family, claim, &[0])?, vec![0])
-        }
-        _ => return None,
-    };
-    if ways.is_empty() {
-        return None;
-    }
-    let mut stated = Some(stated);
-    let shown = within(AT_ONCE, &mut || all(stated.take()?, family.budget).ok())?;
-    Some(Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)))
+    beside::at_point(family, &there, &own.stated.statement, point)
 }
 
 /// Decides a claim.
@@ -420,7 +318,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let ClaimKind::Rounding(epsilons) = &claim.kind {
         return rounding::decide(family, epsilons);
     }
-    if let Some(verdict) = proved_at_once(family, claim).or_else(|| refuted_beside(family, claim, true)) {
+    if let Some(verdict) =
+        beside::proved_at_once(family, claim).or_else(|| beside::refuted(family, claim, true))
+    {
         return verdict;
     }
     let mut ways = Vec::new();
@@ -463,7 +363,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
-            let verdict = refuted_beside(family, claim, false);
+            let verdict = beside::refuted(family, claim, false);
             verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {WIDER}")))
         }
         Err((label, Failure::Refuted(found))) => {
@@ -484,7 +384,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
             _ if assumed => {
                 // Of an equation simple points come first, which need not be among those that are assumed.
                 let verdict = refuted_under_premises(family, claim, &said.iter().listed());
-                let verdict = verdict.or_else(|| refuted_beside(family, claim, false));
+                let verdict = verdict.or_else(|| beside::refuted(family, claim, false));
                 return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
             }
             ClaimKind::Relation { .. } | ClaimKind::Nonnegative if beside.contains(&of) => {
@@ -513,18 +413,12 @@ fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Opt
         own.find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
     })?;
     let witness = if is_wider(family, found.refutation.statement()) {
-        // The same point, whatever π and exp(r) are between their bounds.
-        let there = family.where_fixed(claim.kind.fixed())?;
         let rational = |(var, c): &(Var, Coordinate)| match c {
             Coordinate::Rational(x) => Some((*var, x.clone())),
             Coordinate::Algebraic(_) => None,
         };
         let point: Option<Vec<_>> = found.point.iter().map(rational).collect();
-        let point = beside::rational_part(family, &point?);
-        let (found, proof) = basis_prover::working(family.budget, &mut |work| {
-            beside::refuted_at(&there, &s.stated.statement, &point, work)
-        })?;
-        witness(family, &claim.kind, (s.of.clone(), &s.stated.statement), &found, &s.piece).whatever(proof)
+        beside::refuted_whatever(family, claim, s, &point?)?
     } else {
         let about = (s.of.clone(), found.refutation.statement());
         witness(family, &claim.kind, about, &found, &s.piece)

@@ -5,10 +5,10 @@ use std::rc::Rc;
 use basis_kernel::Statement;
 use basis_prover::{Coordinate, Counterexample};
 
-use super::point::{self, domain_names, named_point};
+use super::point::{domain_names, named_point};
 use super::{beside, identity, independent, with_numbers, without_numbers};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::{ClaimKind, Comparison, Difference};
 use crate::model::angle::Angle;
@@ -61,7 +61,7 @@ pub(super) fn witness(
     let there = there.as_deref().unwrap_or(family);
     let whole = with_numbers(family, kind, &of);
     let factor = whole.as_ref().map(|(_, factor)| factor);
-    witness.shown = shown(there, found).or_else(|| beside::shown(family, found, &witness.value, factor));
+    witness.shown = beside::shown(family, there, found, &witness.value, factor);
     if let Some((text, factor)) = whole {
         (witness.of, witness.value) = (text, beside::about_number(family, &factor, &witness.value));
     }
@@ -79,13 +79,13 @@ pub(super) fn witness(
         witness.idle = idle(family, kind.fixed(), stated);
     }
     let point = piece.image(&found.point);
-    witness.places = point::places(family, kind.fixed(), &witness.at, &point);
+    witness.places = beside::places(family, kind.fixed(), &witness.at, &point);
     witness.notes = identity::notes(family, kind, &witness);
     let rational = point.iter().filter_map(|(var, c)| match c {
         Coordinate::Rational(x) => Some((*var, x.clone())),
         Coordinate::Algebraic(_) => None,
     });
-    for (name, x) in beside::about(there, &beside::rational_part(family, &rational.listed())) {
+    for (name, x) in beside::about(family, there, &rational.listed()) {
         if !witness.idle.contains(&name) {
             witness.notes.push(format!("{name} is about {x:.6} there"));
         }
@@ -111,45 +111,4 @@ fn idle(family: &Family, fixed: &[(Var, Fraction)], stated: &Statement) -> Vec<S
     let alone = |p: &&Parameter| !occurs(p.var) && !itself(p.var) && !related(p.var);
     all.extend(family.shapes.iter().filter(alone).map(|p| p.name.clone()));
     all
-}
-
-/// Longer numbers are shown as decimals.
-const LONGEST: usize = 48;
-
-/// A text with powers of exp(r) as one number, `exp(2)` for `exp(1/2)^4`.
-pub(super) fn numbers_written(family: &Family, text: &str) -> String {
-    let Some((var, rate)) = &family.analytic.exponential else { return String::from(text) };
-    let power = format!("{}^", family.names[var.0]);
-    let mut parts = text.split(&power);
-    let mut written = String::from(parts.next().unwrap_or_default());
-    for part in parts {
-        let digits = part.chars().take_while(char::is_ascii_digit).count();
-        let exponent = part[..digits].parse::<i64>().map_or(Rational::ONE, Rational::from);
-        written.push_str(&format!("exp({}){}", &exponent * rate, &part[digits..]));
-    }
-    written
-}
-
-/// The value at a counterexample to an equation as text, if it contains π, exp(r), or a variable beside its sine.
-fn shown(family: &Family, found: &Counterexample) -> Option<String> {
-    let Statement::Zero { value, .. } = found.refutation.statement() else { return None };
-    let wide = |v: Var| {
-        family.analytic.numbers().contains(&v) || family.analytic.angles.iter().any(|a| a.itself == v)
-    };
-    let of = |p: &Poly| p.variables().into_iter().any(wide);
-    if !of(&value.numerator) && !of(&value.denominator) {
-        return None;
-    }
-    let rational = found.point.iter().filter_map(|(v, c)| match c {
-        Coordinate::Rational(x) if !wide(*v) => Some((*v, x.clone())),
-        _ => None,
-    });
-    let rational = rational.listed();
-    let put = |p: &Poly| rational.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
-    let value = Fraction::new(put(&value.numerator), put(&value.denominator))?;
-    let exact = beside::exact(family, &rational);
-    let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
-    let text = numbers_written(family, &value.display(&family.names));
-    let number = family.analytic.number(&value).filter(|_| text.len() > LONGEST);
-    Some(number.map_or(text, |x| format!("about {}", beside::decimal(x.to_f64()))))
 }

@@ -14,7 +14,6 @@ use proc_macro2::Span;
 
 use super::domain::{self, Domain, variable};
 pub(super) use limits::are_ordered;
-pub(super) use survey::occur;
 
 use super::shapes::Shapes;
 use crate::algebra::fraction::Fraction;
@@ -37,7 +36,11 @@ use survey::{Use, survey};
 use tangent::{angle, linear};
 
 /// The shape parameters and the domain variables of a family with angles.
-pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<(Shapes, Domain)> {
+pub(super) fn declare<'a>(
+    scope: &mut Scope<'a>,
+    written: &'a syntax::Family,
+    _: Span,
+) -> Option<(Shapes, Domain)> {
     let (owned, order) = chains(scope, written)?;
     let shapes: Vec<(&RangeDecl, &[String])> = owned.iter().map(|(decl, doc)| (decl, *doc)).listed();
     let mut domain: Vec<(&RangeDecl, &[String])> = Vec::new();

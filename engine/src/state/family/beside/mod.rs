@@ -11,8 +11,10 @@
 //! A claim is false where the value is not as claimed whatever the numbers are that its enclosures leave
 //! ([`refute`]).
 
+mod claims;
 mod ladder;
 mod parameter;
+mod point;
 mod sample;
 
 use basis_kernel::{Domain, Proof, Statement};
@@ -28,12 +30,16 @@ use crate::algebra::work::Work;
 use crate::claim::Comparison;
 use crate::model::angle::{Angle, Kind};
 use crate::model::enclosure::{Anchor, From, without};
-use crate::model::tangents::wider;
 use crate::model::{Family, Function};
 use ladder::Ladder;
 use sample::Values;
 
-pub(super) use sample::{Sample, about, at_point, exact, genuine, refuted_at};
+pub(super) use crate::model::tangents::wider;
+pub(super) use claims::{
+    about, at_point, enough, proved_at_once, refuted, refuted_whatever, rows_between_bounds, shown,
+};
+pub(super) use point::{name_angles, places};
+pub(super) use sample::{Sample, genuine};
 
 /// Something that has to be ≥ 0, or > 0.
 #[derive(Clone)]
@@ -109,11 +115,11 @@ const WAYS: [Way; 10] = [
 ];
 
 /// The positions of two of them.
-pub(super) const WIDER: usize = 0;
-pub(super) const LADDER: usize = 1;
+const WIDER: usize = 0;
+const LADDER: usize = 1;
 
 /// How many ways there are.
-pub(super) const COUNT: usize = WAYS.len();
+const COUNT: usize = WAYS.len();
 
 /// The angles that stand in a function beside their sines.
 fn beside<'f>(family: &'f Family, value: &Fraction) -> Vec<&'f Angle> {
@@ -122,12 +128,12 @@ fn beside<'f>(family: &'f Family, value: &Fraction) -> Vec<&'f Angle> {
 }
 
 /// Whether a comparison is about the sign of a function in which an angle stands beside its sine.
-pub(super) fn is_mixed(family: &Family, value: &Fraction, comparison: Comparison) -> bool {
+fn is_mixed(family: &Family, value: &Fraction, comparison: Comparison) -> bool {
     !matches!(comparison, Comparison::Equal | Comparison::NotEqual) && !beside(family, value).is_empty()
 }
 
 /// What is enough for a value to compare with 0 as claimed, by a way with this number; `None` where that leads nowhere.
-pub(super) fn steps(
+fn steps(
     family: &Family,
     of: &str,
     value: &Fraction,
@@ -415,7 +421,7 @@ fn bounded(
 
 /// A counterexample to a statement about a sign in which π, exp(r) or an angle beside its sine occur, with the proof that the
 /// statement fails whatever these are between their bounds.
-pub(super) fn refute(
+fn refute(
     family: &Family,
     value: &Fraction,
     statement: &Statement,
@@ -428,7 +434,7 @@ pub(super) fn refute(
 }
 
 /// The coordinates of a point that are no angles themselves, and no numbers such as π.
-pub(super) fn rational_part(family: &Family, point: &[(Var, Rational)]) -> Values {
+fn rational_part(family: &Family, point: &[(Var, Rational)]) -> Values {
     let numbers = family.analytic.numbers();
     let wide = |var: Var| {
         numbers.contains(&var) || family.analytic.angles.iter().any(|a| a.itself == var && a.var != var)
@@ -450,7 +456,7 @@ pub(super) fn about_number(family: &Family, factor: &Fraction, value: &Rational)
 }
 
 /// The value at a counterexample for reading, if it is not rational: with π, or as a decimal; times a factor of π and exp(r).
-pub(super) fn shown(
+fn of_sign(
     family: &Family,
     found: &Counterexample,
     value: &Rational,
@@ -476,13 +482,13 @@ pub(super) fn shown(
         Some(factor) => (&exact * factor, about_number(family, factor, value)),
         None => (exact, value.clone()),
     };
-    let text = super::numbers_written(family, &exact.display(&family.names));
+    let text = claims::numbers_written(family, &exact.display(&family.names));
     let own = family.analytic.angles.iter().any(|a| a.itself != a.var && exact.depends_on(a.itself));
     (own || numbers.iter().any(|n| exact.depends_on(*n))).then(|| {
         if own || text.len() > LONGEST { format!("about {}", decimal(value.to_f64())) } else { text.clone() }
     })
 }
 
-pub(super) fn decimal(x: f64) -> String {
+fn decimal(x: f64) -> String {
     if x.abs() < 1e-3 { format!("{x:.3e}") } else { format!("{x:.6}") }
 }

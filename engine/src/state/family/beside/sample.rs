@@ -548,7 +548,7 @@ pub(in crate::state::family) fn at_point(
 }
 
 /// The refutation of a statement about a sign at a point, with the proof that it fails for all values between the bounds.
-pub(in crate::state::family) fn refuted_at(
+pub(super) fn refuted_at(
     family: &Family,
     statement: &Statement,
     point: &Values,

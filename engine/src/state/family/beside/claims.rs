@@ -1,0 +1,272 @@
+//! Claims in which a variable stands beside its sine or exponential: how they are proved and refuted, and what is shown of
+//! values that contain π or exp(r).
+
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Statement};
+use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::{Coordinate, Counterexample, simple, within};
+
+use super::{Sample, sample};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{Range, Region};
+use crate::algebra::rational::Rational;
+use crate::claim::{Claim, ClaimKind, Comparison};
+use crate::model::Family;
+use crate::model::angle::{Angle, Kind};
+use crate::model::chart::Piece;
+use crate::model::enclosure::{Anchor, From, row_without};
+use crate::model::tangents::has_ends;
+use crate::state::family::{
+    Enough, Said, Saying, is_wider, method, premises, said, statements, without_numbers, witness,
+};
+use crate::state::inequality::compared_on;
+use crate::state::proofs::{all, steps};
+use crate::state::verdict::{Evidence, Stated, Verdict, Witness};
+
+/// What is enough for a comparison.
+pub(in crate::state::family) fn enough<'f>(
+    family: &'f Family,
+    (of, value, comparison): (&str, &Fraction, Comparison),
+    part: &(Piece, Rc<Domain>),
+    sample: &mut Option<Sample<'f>>,
+    saying: &mut Saying<'_>,
+) -> Enough {
+    if !super::is_mixed(family, value, comparison) {
+        return Enough::Itself;
+    }
+    by_a_way(family, (of, value, comparison), part, sample, saying).map_or(Enough::Unknown, Enough::All)
+}
+
+/// What is enough where an angle stands beside its sine, with the names of what it is about; `None` where no way leads to a proof.
+fn by_a_way<'f>(
+    family: &'f Family,
+    (of, value, comparison): (&str, &Fraction, Comparison),
+    part: &(Piece, Rc<Domain>),
+    sample: &mut Option<Sample<'f>>,
+    saying: &mut Saying<'_>,
+) -> Option<Vec<(Stated, String)>> {
+    if matches!(saying, Saying::Plainly) {
+        return None;
+    }
+    let mut by = |way: usize| {
+        if way != super::WIDER && sample.is_none() {
+            *sample = basis_prover::working(family.budget, &mut |work| Sample::new(family, work));
+        }
+        let sample = sample.as_ref();
+        let value = premises::Positive::of(&part.1).reduced(&value.quotient());
+        let value = Fraction::new(value.numerator, value.denominator)?;
+        let steps = basis_prover::working(family.budget, &mut |work| {
+            super::steps(family, of, &value, comparison, (way, sample), work)
+        })?;
+        let mut all = Vec::new();
+        for step in steps {
+            let part = (part.0.clone(), step.domain(&part.1));
+            let (of, value) = without_numbers(family, step.of, family.analytic.reduced(step.value));
+            all.push((Stated::new(of.clone(), compared_on(&value, step.comparison, &part)?), of));
+        }
+        Some(all)
+    };
+    match saying {
+        Saying::Plainly => None,
+        Saying::Enough(ways) => by(ways.next().copied().unwrap_or(0)),
+        Saying::By(way, count) => {
+            **count += 1;
+            by(*way)
+        }
+        Saying::Found(found) => {
+            let proved = |all: &Vec<(Stated, String)>| {
+                all.iter().all(|(s, _)| {
+                    basis_prover::decide(s.statement.clone(), &s.symmetries, family.budget).is_ok()
+                })
+            };
+            let way = (0..super::COUNT).find_map(|way| by(way).filter(proved).map(|all| (way, all)));
+            found.push(way.as_ref().map_or(0, |(way, _)| *way));
+            way.map(|(_, all)| all)
+        }
+    }
+}
+
+/// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
+pub(in crate::state::family) fn refuted(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
+    let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
+        && !family.analytic.is_empty();
+    if !comparisons {
+        return None;
+    }
+    let all = said(family, claim, &mut Saying::Plainly)?;
+    let there = family.where_fixed(claim.kind.fixed())?;
+    for s in all {
+        let Statement::Sign { value, .. } = &s.stated.statement else { continue };
+        let value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
+        let fits = if only_mixed {
+            super::is_mixed(&there, &value, Comparison::GreaterEqual)
+        } else {
+            is_wider(family, &s.stated.statement)
+        };
+        if !fits {
+            continue;
+        }
+        let found = basis_prover::working(family.budget, &mut |work| {
+            super::refute(&there, &value, &s.stated.statement, work)
+        });
+        if let Some((found, proof)) = found {
+            let about = (s.of.clone(), &s.stated.statement);
+            let witness = witness(family, &claim.kind, about, &found, &s.piece).whatever(proof);
+            let whole = s.of == s.stated.of;
+            return Some(Verdict::Refuted(Box::new(if whole {
+                witness
+            } else {
+                witness.about(&s.stated.of)
+            })));
+        }
+    }
+    None
+}
+
+/// The witness that a point is at which a statement fails whatever π and exp(r) are between their bounds.
+pub(in crate::state::family) fn refuted_whatever(
+    family: &Family,
+    claim: &Claim,
+    said: &Said,
+    point: &[(Var, Rational)],
+) -> Option<Witness> {
+    let there = family.where_fixed(claim.kind.fixed())?;
+    let point = super::rational_part(family, point);
+    let (found, proof) = basis_prover::working(family.budget, &mut |work| {
+        sample::refuted_at(&there, &said.stated.statement, &point, work)
+    })?;
+    let about = (said.of.clone(), &said.stated.statement);
+    Some(witness(family, &claim.kind, about, &found, &said.piece).whatever(proof))
+}
+
+/// The work for a proof that is tried before counterexamples are searched.
+const AT_ONCE: u64 = 4_000_000;
+
+/// A claim in which an angle stands beside its sine, if the way that is tried first leads to a proof. It takes less time than the search for
+/// a counterexample, which most claims do not have.
+pub(in crate::state::family) fn proved_at_once(family: &Family, claim: &Claim) -> Option<Verdict> {
+    // Where ranges end in numbers in exponentials, without these ends; otherwise the ladder of derivatives.
+    let way = if has_ends(family) { super::WIDER } else { super::LADDER };
+    let (stated, ways) = match &claim.kind {
+        ClaimKind::Nonnegative | ClaimKind::Relation { .. } => {
+            let mut count = 0;
+            let said = said(family, claim, &mut Saying::By(way, &mut count))?;
+            (said.into_iter().map(|said| said.stated).listed(), vec![way; count])
+        }
+        ClaimKind::Independent(except) if except.is_empty() && way == super::WIDER => {
+            (statements(family, claim, &[0])?, vec![0])
+        }
+        _ => return None,
+    };
+    if ways.is_empty() {
+        return None;
+    }
+    let mut stated = Some(stated);
+    let shown = within(AT_ONCE, &mut || all(stated.take()?, family.budget).ok())?;
+    Some(Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)))
+}
+
+/// The rows with all numbers between their bounds in place of parameters beside their sines; `None` where there is no such
+/// parameter. If these are independent, the rows are.
+pub(in crate::state::family) fn rows_between_bounds(
+    family: &Family,
+    rows: &[Vec<Poly>],
+    region: &Region,
+) -> Option<(Vec<Vec<Poly>>, Region)> {
+    const LEVEL: u32 = 3;
+    let occurs = |a: &&Angle| {
+        a.kind != Kind::Linear && a.itself != a.var && rows.iter().flatten().any(|p| p.depends_on(a.itself))
+    };
+    let angles = family.analytic.angles.iter().filter(occurs).listed();
+    if angles.is_empty() {
+        return None;
+    }
+    let (mut rows, mut region) = (rows.to_vec(), region.clone());
+    let typical = region.ranges.mapped(|(var, range)| (*var, simple(range)));
+    for angle in angles {
+        let range = region.range(angle.var);
+        let from = From { anchor: Anchor::Zero, range: &range, n: LEVEL, typical: &typical };
+        for row in &mut rows {
+            *row = basis_prover::working(family.budget, &mut |work| {
+                row_without(row, &family.analytic, angle, &from, work)
+            })?;
+        }
+        region.ranges.push((angle.itself, Range::unit()));
+    }
+    Some((rows, region))
+}
+
+/// The statement at one point, and that it fails whatever is not rational there, between its bounds; `None` of other statements
+/// than those about a sign.
+pub(in crate::state::family) fn at_point(
+    family: &Family,
+    there: &Family,
+    statement: &Statement,
+    point: &[(Var, Rational)],
+) -> Option<[Statement; 2]> {
+    sample::at_point(there, statement, &super::rational_part(family, point))
+}
+
+/// Values of angles at a point, by their names.
+pub(in crate::state::family) fn about(
+    family: &Family,
+    there: &Family,
+    point: &[(Var, Rational)],
+) -> Vec<(String, f64)> {
+    sample::about(there, &super::rational_part(family, point))
+}
+
+/// The value at a counterexample for reading, if it contains π, exp(r), or a variable beside its sine; of a sign times a factor
+/// of π and exp(r).
+pub(in crate::state::family) fn shown(
+    family: &Family,
+    there: &Family,
+    found: &Counterexample,
+    value: &Rational,
+    factor: Option<&Fraction>,
+) -> Option<String> {
+    of_equation(there, found).or_else(|| super::of_sign(family, found, value, factor))
+}
+
+/// Longer numbers are shown as decimals.
+const LONGEST: usize = 48;
+
+/// A text with powers of exp(r) as one number, `exp(2)` for `exp(1/2)^4`.
+pub(super) fn numbers_written(family: &Family, text: &str) -> String {
+    let Some((var, rate)) = &family.analytic.exponential else { return String::from(text) };
+    let power = format!("{}^", family.names[var.0]);
+    let mut parts = text.split(&power);
+    let mut written = String::from(parts.next().unwrap_or_default());
+    for part in parts {
+        let digits = part.chars().take_while(char::is_ascii_digit).count();
+        let exponent = part[..digits].parse::<i64>().map_or(Rational::ONE, Rational::from);
+        written.push_str(&format!("exp({}){}", &exponent * rate, &part[digits..]));
+    }
+    written
+}
+
+/// The value at a counterexample to an equation as text, if it contains π, exp(r), or a variable beside its sine.
+fn of_equation(family: &Family, found: &Counterexample) -> Option<String> {
+    let Statement::Zero { value, .. } = found.refutation.statement() else { return None };
+    let wide = |v: Var| {
+        family.analytic.numbers().contains(&v) || family.analytic.angles.iter().any(|a| a.itself == v)
+    };
+    let of = |p: &Poly| p.variables().into_iter().any(wide);
+    if !of(&value.numerator) && !of(&value.denominator) {
+        return None;
+    }
+    let rational = found.point.iter().filter_map(|(v, c)| match c {
+        Coordinate::Rational(x) if !wide(*v) => Some((*v, x.clone())),
+        _ => None,
+    });
+    let rational = rational.listed();
+    let put = |p: &Poly| rational.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
+    let value = Fraction::new(put(&value.numerator), put(&value.denominator))?;
+    let exact = sample::exact(family, &rational);
+    let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
+    let text = numbers_written(family, &value.display(&family.names));
+    let number = family.analytic.number(&value).filter(|_| text.len() > LONGEST);
+    Some(number.map_or(text, |x| format!("about {}", super::decimal(x.to_f64()))))
+}

@@ -1,0 +1,99 @@
+//! Stands for claims in which a variable stands beside its sine or exponential where the feature `angles` is off: no family
+//! has any.
+
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Statement};
+use basis_prover::{Coordinate, Counterexample};
+
+use super::{Enough, Said, Saying};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Region;
+use crate::algebra::rational::Rational;
+use crate::claim::{Claim, Comparison};
+use crate::model::Family;
+use crate::model::chart::Piece;
+use crate::state::verdict::{Verdict, Witness};
+
+pub(super) fn enough(
+    _: &Family,
+    _: (&str, &Fraction, Comparison),
+    _: &(Piece, Rc<Domain>),
+    _: &mut Option<()>,
+    _: &mut Saying<'_>,
+) -> Enough {
+    Enough::Itself
+}
+
+pub(super) fn at_point(
+    _: &Family,
+    _: &Family,
+    _: &Statement,
+    _: &[(Var, Rational)],
+) -> Option<[Statement; 2]> {
+    None
+}
+
+pub(super) fn refuted(_: &Family, _: &Claim, _: bool) -> Option<Verdict> {
+    None
+}
+
+pub(super) fn refuted_whatever(_: &Family, _: &Claim, _: &Said, _: &[(Var, Rational)]) -> Option<Witness> {
+    None
+}
+
+pub(super) fn proved_at_once(_: &Family, _: &Claim) -> Option<Verdict> {
+    None
+}
+
+pub(super) fn wider(_: &Family) -> Option<Family> {
+    None
+}
+
+pub(super) fn rows_between_bounds(
+    _: &Family,
+    _: &[Vec<Poly>],
+    _: &Region,
+) -> Option<(Vec<Vec<Poly>>, Region)> {
+    None
+}
+
+pub(super) fn genuine(_: &Family, found: Counterexample) -> Counterexample {
+    found
+}
+
+pub(super) fn shown(
+    _: &Family,
+    _: &Family,
+    _: &Counterexample,
+    _: &Rational,
+    _: Option<&Fraction>,
+) -> Option<String> {
+    None
+}
+
+pub(super) fn about_number(_: &Family, _: &Fraction, value: &Rational) -> Rational {
+    value.clone()
+}
+
+pub(super) fn about(_: &Family, _: &Family, _: &[(Var, Rational)]) -> Vec<(String, f64)> {
+    Vec::new()
+}
+
+pub(super) fn name_angles(
+    _: &Family,
+    _: &Counterexample,
+    _: &[(Var, Fraction)],
+    _: &mut [(String, Coordinate)],
+) {
+}
+
+pub(super) fn places(
+    _: &Family,
+    _: &[(Var, Fraction)],
+    _: &[(String, Coordinate)],
+    _: &[(Var, Coordinate)],
+) -> Vec<(String, String)> {
+    Vec::new()
+}
