@@ -29,6 +29,9 @@ fn main() {
     derivatives();
     lengths();
     nearest();
+    println!();
+    errors();
+    bound_of_the_machine();
 }
 
 type Contestant<'a> = Box<dyn FnMut() + 'a>;
@@ -267,4 +270,100 @@ fn nearest() {
     let ours =
         each(&numbers, 0.0, move |i| curve.nearest(target(i), ACCURACY).map_or(f64::NAN, |found| found.at));
     row("nearest point to 1e-9", "curvo, f64 3D (local)", &race(CURVES, vec![peer, ours]));
+}
+
+/// The largest errors of single points and their derivatives in f32, beside those of bevy_math, in ε of the largest
+/// coefficient of the derivative in Bernstein form.
+fn errors() {
+    let exact = cubic::<[f64; 3]>();
+    let (curve, peer) = (cubic::<[f32; 3]>(), bevy_cubic());
+    let mut largest = [[0.0_f64; 3]; 2];
+    let size = [4.0, 7.5, 18.0];
+    for t in (0..1_u32 << 16).map(|k| k as f32 / 65_535.0) {
+        let truth = exact.eval_with_derivs::<3>(f64::from(t));
+        let ours = curve.eval_with_derivs::<3>(t);
+        let theirs = [peer.position(t), peer.velocity(t), peer.acceleration(t)].map(|v| v.to_array());
+        for (largest, found) in largest.iter_mut().zip([theirs, ours]) {
+            for order in 0..3 {
+                for axis in 0..3 {
+                    let error = (f64::from(found[order][axis]) - truth[order][axis]).abs();
+                    largest[order] = largest[order].max(error / size[order] / f64::from(f32::EPSILON));
+                }
+            }
+        }
+    }
+    println!("| largest error in f32, in ε | bevy_math | ours |");
+    println!("| --- | --- | --- |");
+    for (order, what) in ["point", "first derivative", "second derivative"].iter().enumerate() {
+        println!("| {what} | {:.2} | {:.2} |", largest[0][order], largest[1][order]);
+    }
+    let ends = |t: f32, k: usize| {
+        let off = |p: [f32; 3]| (0..3).any(|d| p[d] != POINTS[k][d] as f32);
+        [off(peer.position(t).to_array()), off(curve.eval(t))].map(|off| if off { "no" } else { "yes" })
+    };
+    let [start, end] = [ends(0.0, 0), ends(1.0, 3)];
+    println!("| exact at the ends | {}, {} | {}, {} |", start[0], end[0], start[1], end[1]);
+}
+
+/// How near slices come to what the units for fused multiplications and additions allow: the loop does nothing but as many of
+/// these as the points of a cubic in three dimensions need, 15 each, on numbers that stay in registers.
+fn bound_of_the_machine() {
+    #[cfg(target_arch = "x86_64")]
+    if std::is_x86_feature_detected!("avx512f") || std::is_x86_feature_detected!("fma") {
+        const NEEDED: usize = 15;
+        let ts = &parameters::<f64>();
+        let fused: Contestant<'_> = Box::new(|| x86_64::fused(COUNT * NEEDED));
+        let times =
+            race(COUNT, vec![fused, slices(cubic::<[f64; 3]>(), ts), slices(quartic::<[f64; 3]>(), ts)]);
+        println!();
+        println!(
+            "| f64 3D slices | nothing but {NEEDED} fused operations a point | cubic | quartic family |"
+        );
+        println!("| --- | --- | --- | --- |");
+        let ours = times[1..].iter().map(|time| format!("{time:.2} ns, {:.2} of it", time / times[0]));
+        println!("| a point | {:.2} ns | {} |", times[0], ours.collect::<Vec<_>>().join(" | "));
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[allow(unsafe_code)] // instructions that the processor need not have
+mod x86_64 {
+    use std::hint::black_box;
+
+    /// Runs that many fused operations on numbers of 64 bits, with the widest vectors.
+    pub(super) fn fused(count: usize) {
+        if std::is_x86_feature_detected!("avx512f") {
+            // SAFETY: the processor has the feature.
+            unsafe { avx512(count) }
+        } else {
+            // SAFETY: the caller has asked for the feature.
+            unsafe { avx2(count) }
+        }
+    }
+
+    #[target_feature(enable = "avx512f")]
+    fn avx512(count: usize) {
+        use core::arch::x86_64::{_mm512_fmadd_pd, _mm512_set1_pd};
+        let (a, b) = (_mm512_set1_pd(black_box(0.5)), _mm512_set1_pd(black_box(1.0)));
+        let mut sums = [_mm512_set1_pd(black_box(1.0)); 12];
+        for _ in 0..count / (sums.len() * 8) {
+            for sum in &mut sums {
+                *sum = _mm512_fmadd_pd(*sum, a, b);
+            }
+        }
+        black_box(sums);
+    }
+
+    #[target_feature(enable = "avx2,fma")]
+    fn avx2(count: usize) {
+        use core::arch::x86_64::{_mm256_fmadd_pd, _mm256_set1_pd};
+        let (a, b) = (_mm256_set1_pd(black_box(0.5)), _mm256_set1_pd(black_box(1.0)));
+        let mut sums = [_mm256_set1_pd(black_box(1.0)); 12];
+        for _ in 0..count / (sums.len() * 4) {
+            for sum in &mut sums {
+                *sum = _mm256_fmadd_pd(*sum, a, b);
+            }
+        }
+        black_box(sums);
+    }
 }

@@ -6,8 +6,9 @@
 //! between 1/4 and 1/2, where 1 − t rounds; and uphill from the worst of them.
 
 use basis_engine::plan::Input;
+use basis_engine::plan::patch_form::multi_indices;
 use basis_engine::rounding::Error;
-use basis_engine::state::{point_error, value_errors};
+use basis_engine::state::{point_error, point_name, value_errors};
 use basis_engine::steps::{FamilySteps, Step, Steps};
 use basis_engine::{Disk, Family, Library, Prover, Source, Subject};
 
@@ -24,6 +25,7 @@ const FAMILIES: &[(&str, &str, &[i64])] = &[
     ("ball", "SaidBall", &[]),
     ("triangular", "TriangularII", &[3]),
     ("lagrange", "Lagrange", &[3]),
+    ("lagrange", "Bilinear", &[]),
     ("rational/bezier", "Conic", &[]),
     ("rational/bezier", "RationalQuadratic", &[]),
 ];
@@ -54,6 +56,8 @@ struct Inputs {
     ranges: Vec<[f32; 2]>,
     shapes: usize,
     coordinates: usize,
+    /// The power of the sum of the coordinates that an absolute error is relative to: of a patch on a simplex its degree.
+    degree: i32,
 }
 
 impl Inputs {
@@ -68,7 +72,13 @@ impl Inputs {
         let ranges: Vec<[f32; 2]> =
             shapes.chain(coordinates.iter().copied()).chain((0..points).map(|_| [-1.0, 1.0])).collect();
         let (shapes, coordinates) = (family.shapes.len(), coordinates.len());
-        Self { values: ranges.iter().map(|[low, _]| *low).collect(), ranges, shapes, coordinates }
+        let values = ranges.iter().map(|[low, _]| *low).collect();
+        Self { values, ranges, shapes, coordinates, degree: 0 }
+    }
+
+    fn scale(&self) -> f64 {
+        let coordinates = &self.values[self.shapes..self.shapes + self.coordinates];
+        coordinates.iter().copied().map(f64::from).sum::<f64>().powi(self.degree)
     }
 
     fn get(&self, input: Input) -> f32 {
@@ -113,7 +123,7 @@ fn errors(steps: &Steps, kinds: &[Option<Error>], inputs: &Inputs) -> Vec<f64> {
     let exact = steps.evaluate::<f64>(|i| f64::from(inputs.get(i))).unwrap_or_default();
     let error = |((computed, exact), kind): ((f32, f64), &Option<Error>)| {
         let scale = match kind {
-            Some(Error::Absolute(_)) => 1.0,
+            Some(Error::Absolute(_)) if inputs.scale() > 1e-6 => inputs.scale(),
             Some(Error::Relative(_)) if exact.abs() > 1e-30 => exact.abs(), // not next to underflow
             _ => return 0.0,
         };
@@ -150,6 +160,7 @@ fn harm(steps: &Steps, inputs: &Inputs) -> f64 {
                 slopes[a] += slope / values[b];
                 slopes[b] -= slope * values[k] / values[b];
             }
+            Step::CutOff(a) => slopes[a] += slope,
             _ => continue,
         }
         sum += (slope * values[k]).abs();
@@ -252,10 +263,19 @@ fn main() {
         if let Some((label, proved, found)) = worst {
             row(&label, proved, found);
         }
-        if let (Some((proved, _)), Some(curve)) = (point_error(family), form.curve(1)) {
-            let steps = form.on_control_points(&curve);
-            let found = search(&steps, &[Some(proved.clone())], Inputs::of(family, family.functions.len()));
-            row("C(t)", &proved, found[0]);
+        let none = vec![0; family.domain.len()];
+        if let (Some((proved, _)), Some(point)) =
+            (point_error(family), form.curve(1).or_else(|| form.patch(&none)))
+        {
+            let steps = form.on_control_points(&point);
+            let mut inputs = Inputs::of(family, family.functions.len());
+            if family.is_simplex() {
+                let corners = form.coordinates();
+                let degree = (0..).find(|n| multi_indices(corners, *n).len() >= form.bound());
+                inputs.degree = degree.map_or(0, |n| n as i32);
+            }
+            let found = search(&steps, &[Some(proved.clone())], inputs);
+            row(&point_name(family), &proved, found[0]);
         }
     }
 }

@@ -344,7 +344,7 @@ impl Family<'_> {
         let mut text = String::new();
         text += &define("FUNCTIONS", code.count().to_string());
         text += &define("COEFFICIENTS", code.steps.bound().to_string());
-        for (name, (low, high)) in code.coordinates.iter().zip(code.ends()) {
+        for (name, (low, high)) in code.named_ends() {
             let own = if code.is_curve() { String::new() } else { format!("_{name}") };
             text += &define(&format!("LOW{own}"), format!("({})", self.language.signed(&low)));
             text += &define(&format!("HIGH{own}"), format!("({})", self.language.signed(&high)));

@@ -5,7 +5,7 @@ use crate::algebra::range::{DisplayRange as _, End, Range};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::generate::{self, rational::split};
-use crate::model::{Family, Parameter, label};
+use crate::model::{Factor, Family, Parameter, label};
 use crate::plan::Input;
 use crate::rounding::{Error, decimal};
 use crate::state::{point_error, value_errors};
@@ -121,9 +121,6 @@ impl<'a> FamilyCode<'a> {
         wanted: &Wanted,
         language: &dyn Language,
     ) -> Result<Self, Diagnostic> {
-        if let Some(error) = generate::no_code(family) {
-            return Err(error);
-        }
         let rounding: Vec<Option<Error>> =
             value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).collect();
         let rounding = if rounding.is_empty() { vec![None; family.functions.len()] } else { rounding };
@@ -233,9 +230,25 @@ impl<'a> FamilyCode<'a> {
 
     /// The coordinates along which a partial derivative is taken, joined by `_`: `u_v` for ∂²/∂u∂v.
     pub fn along(&self, orders: &[usize]) -> String {
-        let names = orders.iter().zip(&self.coordinates);
-        let names = names.flat_map(|(order, name)| std::iter::repeat_n(name.as_str(), *order));
+        let names = orders.iter().zip(self.independent());
+        let names = names.flat_map(|(order, name)| std::iter::repeat_n(name, *order));
         names.collect::<Vec<_>>().join("_")
+    }
+
+    /// The names of the independent coordinates: of a simplex all but the last one.
+    pub fn independent(&self) -> Vec<&str> {
+        let mut names = self.coordinates.iter().map(String::as_str);
+        let mut all = Vec::new();
+        for factor in self.family.factors() {
+            let independent =
+                if let Factor::Simplex(independent, _) = factor { independent.len() } else { 1 };
+            let simplex = matches!(factor, Factor::Simplex(..));
+            all.extend(names.by_ref().take(independent));
+            if simplex {
+                names.next();
+            }
+        }
+        all
     }
 
     /// The ends of the domain of a curve with the knots between its spans.
@@ -256,7 +269,7 @@ impl<'a> FamilyCode<'a> {
         ends.iter().any(|end| matches!(end, Knot::Shape(_))).then_some(ends)
     }
 
-    /// The lower and upper end of each domain variable; nothing of a simplex, and where they depend on shape values.
+    /// The lower and upper end of each domain variable that belongs to no simplex; nothing where they depend on shape values.
     pub fn ends(&self) -> Vec<(Rational, Rational)> {
         if self.is_curve() {
             return match self.knots().as_slice() {
@@ -264,11 +277,23 @@ impl<'a> FamilyCode<'a> {
                 _ => Vec::new(),
             };
         }
-        if self.family.is_simplex() {
-            return Vec::new();
-        }
-        let ends = self.family.domain.iter().filter_map(|variable| variable.range.finite());
+        let ends = self.intervals().filter_map(|variable| variable.range.finite());
         ends.map(|(low, high)| (low.clone(), high.clone())).collect()
+    }
+
+    /// As [`ends`](Self::ends), with the names of the variables.
+    pub fn named_ends(&self) -> Vec<(&str, (Rational, Rational))> {
+        let named = self.family.domain_variables().zip(&self.coordinates);
+        let names = named.filter(|(variable, _)| self.intervals().any(|other| other.var == variable.var));
+        names.map(|(_, name)| name.as_str()).zip(self.ends()).collect()
+    }
+
+    /// The domain variables that belong to no simplex.
+    fn intervals(&self) -> impl Iterator<Item = &Parameter> {
+        self.family.factors().into_iter().filter_map(|factor| match factor {
+            Factor::Interval(variable) => Some(variable),
+            Factor::Simplex(..) => None,
+        })
     }
 
     /// Whether the distance to an end of the domain is computed from a number in parts, as no float has it exactly.

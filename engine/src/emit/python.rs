@@ -507,7 +507,7 @@ impl Class<'_> {
         let head = format!("partials(self, {}, orders) -> \"tuple[float, ...]\"", typed.join(", "));
         let doc = format!(
             "The partial derivatives of the functions, `orders` in {}, with a sum of at most 2.",
-            code.coordinates[..code.family.domain.len()].join(", ")
+            code.independent().join(", ")
         );
         let choice =
             self.choice("self._partials{}()", &format!("({names})"), &format!("self.values({names})"));
@@ -595,7 +595,7 @@ impl Class<'_> {
                 "()",
                 &format!("self.eval({names})"),
             );
-            let independent = code.coordinates[..code.family.domain.len()].join(", ");
+            let independent = code.independent().join(", ");
             parts.push(function(
                 &format!("partial(self, {typed}, orders)"),
                 &format!(

@@ -503,7 +503,7 @@ impl Functions<'_> {
         let (code, language) = (self.code, self.language);
         let float = language.float();
         let mut text = String::new();
-        for (name, (low, high)) in code.coordinates.iter().zip(code.ends()) {
+        for (name, (low, high)) in code.named_ends() {
             let own = if code.is_curve() { String::new() } else { format!("_{name}") };
             text += &language.constant(&self.member(&format!("LOW{own}")), float, &language.signed(&low));
             text += &language.constant(&self.member(&format!("HIGH{own}")), float, &language.signed(&high));

@@ -293,7 +293,7 @@ impl Class<'_> {
     }
 
     fn independent(&self) -> String {
-        self.code.coordinates[..self.code.family.domain.len()].join(", ")
+        self.code.independent().join(", ")
     }
 
     /// The method for given orders of derivatives.

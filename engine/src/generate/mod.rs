@@ -85,16 +85,6 @@ pub(crate) fn is_evaluated(family: &Family) -> bool {
     no_type(family).is_none() && !series::is_mixed(family)
 }
 
-/// Why a family of any size is generated in no language but Rust; `None` where it is.
-#[cfg(any(test, feature = "tools"))]
-pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
-    if !family.is_product() {
-        return no_type(family);
-    }
-    let message = "only Rust code is generated yet for families on a product of a simplex and something else";
-    Some(Diagnostic::error(family.place.clone(), message).help("use `basis!` or `--to rust`"))
-}
-
 /// Whether the functions are evaluated as quotients, or span by span.
 fn is_rational(family: &Family) -> bool {
     family.is_rational()

@@ -6,7 +6,7 @@ use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
 use crate::plan::form::{IntervalForm, RationalForm};
 use crate::plan::patch::PatchPlans;
-use crate::plan::{Node, Plan, Ref, interval, rational};
+use crate::plan::{interval, rational};
 use crate::state::Verdict;
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -117,31 +117,15 @@ fn lines(family: &Family, squares: &[bool], cut_off: &[bool]) -> Vec<String> {
     let cut_off = labels(&|k| cut_off[k]);
     let mut parts = Vec::new();
     if !squares.is_empty() {
-        parts.push(format!("`{squares}`: computed with a square as a factor"));
+        parts.push(format!("`{squares}`: never negative, computed with a square as a factor."));
     }
     if !cut_off.is_empty() {
-        parts.push(format!("`{cut_off}`: cut off at 0, as the exact values are proved not to be negative"));
+        parts.push(format!(
+            "`{cut_off}`: cut off at 0, below which only rounding could take what is proved nonnegative."
+        ));
     }
     if parts.is_empty() {
         return Vec::new();
     }
-    vec![String::new(), format!("Rounding makes no value negative. {}.", parts.join("; "))]
-}
-
-impl Plan {
-    /// Which outputs are cut off at 0.
-    fn cut_off(&self) -> Vec<bool> {
-        let mut all = Vec::new();
-        for output in &self.outputs {
-            match &self.nodes[output.position()] {
-                Node::List(list) => all.extend(list.iter().map(|entry| self.is_cut_off(*entry))),
-                _ => all.push(self.is_cut_off(*output)),
-            }
-        }
-        all
-    }
-
-    fn is_cut_off(&self, at: Ref) -> bool {
-        matches!(self.nodes[at.position()], Node::CutOff(_))
-    }
+    vec![String::new(), parts.join(" ")]
 }

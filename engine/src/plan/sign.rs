@@ -5,7 +5,7 @@
 //! nonnegative, and sums in Bernstein form have the sign of their coefficients.
 
 use super::build::{Builder, Variable};
-use super::{Input, Node, Ref};
+use super::{Input, Node, Plan, Ref};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use basis_prover::collections::list::Listed;
@@ -184,5 +184,23 @@ impl Builder {
     /// The shape parameter that an input is.
     fn parameter(&self, at: Ref) -> Option<&Variable> {
         self.variables.iter().find(|v| v.value.position() == at.position())
+    }
+}
+
+impl Plan {
+    /// Which outputs are cut off at 0.
+    pub(crate) fn cut_off(&self) -> Vec<bool> {
+        let mut all = Vec::new();
+        for output in &self.outputs {
+            match &self.nodes[output.position()] {
+                Node::List(list) => all.extend(list.iter().map(|entry| self.is_cut_off(*entry))),
+                _ => all.push(self.is_cut_off(*output)),
+            }
+        }
+        all
+    }
+
+    fn is_cut_off(&self, at: Ref) -> bool {
+        matches!(self.nodes[at.position()], Node::CutOff(_))
     }
 }

@@ -2,9 +2,10 @@
 //! point of the net.
 //!
 //! With M the largest |Pₖ|, each element of the net is Cᵣ = Σₖ wᵣₖ Pₖ, |Cᵣ| ≤ Λ M, and is computed with an error of at most
-//! b u M. The point V(C) = Σᵣ Bᵣ Cᵣ is computed from the net by sums and by products with nonnegative factors only, so that
-//! the share of each step, a linear form in the Cᵣ with nonnegative coefficients, is largest where all Cᵣ are equal: if the
-//! relative error there is at most κ u, the error for any net is at most κ u max|Cᵣ| Σ Bᵣ. Together that is
+//! b u M. The point V(C) = Σᵣ Bᵣ Cᵣ is computed from the net by sums and by products with nonnegative factors only: it is a sum
+//! of terms w·Cᵣ, w ≥ 0, that roundings multiply by products of factors 1 + δ. These are farthest from 1 where all roundings go
+//! up, and there the error for a net of ones is the sum of what they add. If that error is at most κ u, relative to V(1) = Σ Bᵣ,
+//! whatever the roundings are, the error for any net is at most κ u max|Cᵣ| Σ Bᵣ. Together that is
 //!
 //! (κ (Λ + b u) + b) u M Σ Bᵣ.
 //!

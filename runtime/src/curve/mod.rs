@@ -157,7 +157,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     ///
     /// `K` is their number: `let [p, v, a] = curve.eval_with_derivs(t);` gives the point, its velocity and
     /// acceleration.
-    #[inline]
+    #[allow(clippy::inline_always)] // a result in memory costs more to hand over than to compute
+    #[inline(always)]
     pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P; K] {
         let [_, x] = unit(B::domain(), t);
         let inverse_width = inverse_width(B::domain());

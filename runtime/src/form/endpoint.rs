@@ -72,7 +72,9 @@ impl<P: Point, const R: usize> Form<P> for EndpointForm<P, R> {
     /// ```text
     /// C⁽ᵏ⁾(x) = (4 w Tk - 2 y Tk₋₁ - Tk₋₂) · 2ᵏ⁻² k!,   and for k = 1 in addition E1 - E0
     /// ```
-    #[inline]
+    // A result in memory costs more to hand over than to compute.
+    #[allow(clippy::inline_always)]
+    #[inline(always)]
     fn eval_with_derivs<const K: usize>(&self, x: P::Scalar) -> [P; K] {
         let mut derivatives = [P::zero(); K];
         if K == 0 {

@@ -12,6 +12,7 @@ use std::rc::Rc;
 
 use basis_engine::algebra::rational::Rational;
 use basis_engine::emit::{self, FamilyCode, Job, Language, Wanted};
+use basis_engine::model::Factor;
 use basis_engine::plan::Input;
 use basis_engine::rounding::Error;
 use basis_engine::state::{point_error, value_errors};
@@ -118,6 +119,8 @@ fn all_cases() -> Vec<Case> {
         of("lagrange", "TriangularLagrange", &[2], &[]),
         of("lagrange", "TetrahedralLagrange", &[2], &[]),
         of("elements", "Trilinear", &[], &[]),
+        of("triangles/prisms", "QuadraticWedge", &[], &[]),
+        own("Column", &[0.75]),
         own("Weighted", &[0.75]),
         of("rational/bezier", "Conic", &[], &[3.0]),
         own("Reaching", &[]),
@@ -200,41 +203,31 @@ impl Case {
 
     /// The coordinates of points of the domain: ends, points next to them, and points inside.
     pub fn samples(&self, floats: Floats) -> Vec<Vec<f64>> {
-        if self.family.is_simplex() {
-            let count = self.family.domain.len() + 1;
-            let small = 1.0 / 1024.0;
-            let mut all = Vec::new();
-            for k in 0..count {
-                let mut corner = vec![0.0; count];
-                corner[k] = 1.0;
-                all.push(corner.clone());
-                corner[k] = 1.0 - small;
-                corner[(k + 1) % count] = small;
-                all.push(corner.clone());
-                corner[(k + 1) % count] = small / 2.0;
-                corner[(k + 2) % count] = small / 2.0;
-                all.push(corner);
-            }
-            let mut inner = vec![0.125; count];
-            inner[0] = 1.0 - 0.125 * (count - 1) as f64;
-            all.push(inner);
-            return all;
-        }
         let steps = self.steps();
         if steps.is_quotient() {
             return self.on_quotients(floats);
         }
-        let axes: Vec<Vec<f64>> =
-            self.family.domain.iter().map(|p| self.parameters(&p.range, floats)).collect();
-        match axes.as_slice() {
-            [only] => only.iter().map(|t| vec![*t]).collect(),
-            // Not all combinations: every parameter of an axis with two of the others.
+        let factors: Vec<Vec<Vec<f64>>> = self
+            .family
+            .factors()
+            .into_iter()
+            .map(|factor| match factor {
+                Factor::Interval(p) => {
+                    self.parameters(&p.range, floats).into_iter().map(|t| vec![t]).collect()
+                }
+                Factor::Simplex(independent, _) => on_simplex(independent.len() + 1),
+            })
+            .collect();
+        match factors.as_slice() {
+            [only] => only.clone(),
+            // Not all combinations: every point of a factor with two of the others.
             _ => {
-                let longest = axes.iter().map(Vec::len).max().unwrap_or(0);
+                let longest = factors.iter().map(Vec::len).max().unwrap_or(0);
                 let point = |k: usize, shift: usize| -> Vec<f64> {
-                    axes.iter()
+                    factors
+                        .iter()
                         .enumerate()
-                        .map(|(axis, values)| values[(k + axis * shift) % values.len()])
+                        .flat_map(|(place, points)| points[(k + place * shift) % points.len()].clone())
                         .collect()
                 };
                 (0..longest).flat_map(|k| [point(k, 0), point(k, 1), point(k, 3)]).collect()
@@ -501,8 +494,14 @@ impl Case {
             let none = vec![0; self.family.domain.len()];
             for order in std::iter::once(&none).chain(&orders) {
                 let steps = family.patch(order).expect("a patch");
+                let bound = point_bound.as_ref().filter(|_| order.iter().all(|k| *k == 0));
+                let whole = bound.map(|bound| (bound.epsilons(), family.on_control_points(&steps)));
                 for axis in 0..DIMENSION {
-                    push(format!("component {axis} of partial {order:?}"), number(&steps, axis)[0], None);
+                    let exact = whole.as_ref().map(|(bound, whole)| {
+                        let tolerance = &(*bound * &floats.epsilon()) * &fraction(largest(axis));
+                        (exact(whole, axis)[0].clone(), tolerance)
+                    });
+                    push(format!("component {axis} of partial {order:?}"), number(&steps, axis)[0], exact);
                 }
             }
         }
@@ -614,6 +613,27 @@ impl Default for Join {
     fn default() -> Self {
         Self::new()
     }
+}
+
+/// Corners of a simplex, points next to them and one inside, all barycentric coordinates.
+fn on_simplex(count: usize) -> Vec<Vec<f64>> {
+    let small = 1.0 / 1024.0;
+    let mut all = Vec::new();
+    for k in 0..count {
+        let mut corner = vec![0.0; count];
+        corner[k] = 1.0;
+        all.push(corner.clone());
+        corner[k] = 1.0 - small;
+        corner[(k + 1) % count] = small;
+        all.push(corner.clone());
+        corner[(k + 1) % count] = small / 2.0;
+        corner[(k + 2) % count] = small / 2.0;
+        all.push(corner);
+    }
+    let mut inner = vec![0.125; count];
+    inner[0] = 1.0 - 0.125 * (count - 1) as f64;
+    all.push(inner);
+    all
 }
 
 /// The orders of all first and second partial derivatives, as emitted code has them.
