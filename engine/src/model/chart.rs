@@ -224,7 +224,8 @@ impl Elimination<'_> {
                 None => done.premises.push((p, relation)),
             }
         }
-        let (lows, highs) = (extreme(lows, false), extreme(highs, true));
+        let (lows, highs) =
+            (extreme(lows, false, &self.vars[..last]), extreme(highs, true, &self.vars[..last]));
         for low in 0..lows.len().max(1) {
             for high in 0..highs.len().max(1) {
                 if self.too_many {
@@ -296,8 +297,9 @@ fn end_at(value: Rational, strict: bool) -> End {
     if strict { End::Excluded(value) } else { End::Included(value) }
 }
 
-/// The bounds of which each can be the extreme one: of those that are numbers one is left.
-fn extreme(bounds: Vec<Bound>, least: bool) -> Vec<Bound> {
+/// The bounds of which each can be the extreme one: of those that are numbers one is left, and none that another one is
+/// beyond for all values of some variables.
+fn extreme(bounds: Vec<Bound>, least: bool, vars: &[(Var, &Range)]) -> Vec<Bound> {
     let mut all: Vec<Bound> = Vec::new();
     let mut number: Option<(Rational, bool)> = None;
     for bound in bounds {
@@ -316,7 +318,39 @@ fn extreme(bounds: Vec<Bound>, least: bool) -> Vec<Bound> {
         }
     }
     all.extend(number.map(|(x, strict)| Bound { at: Poly::constant(x), strict }));
+    let beyond = |a: &Bound, b: &Bound| {
+        let distance = if least { &a.at - &b.at } else { &b.at - &a.at };
+        smallest(&distance, vars)
+            .is_some_and(|(x, open)| x.is_positive() || x.is_zero() && (open || b.strict || !a.strict))
+    };
+    let mut k = all.len();
+    while k > 0 {
+        k -= 1;
+        if all.iter().enumerate().any(|(other, bound)| other != k && beyond(&all[k], bound)) {
+            all.remove(k);
+        }
+    }
     all
+}
+
+/// The number that a polynomial of degree 1 is not below on a box, and whether it stays above it; `None` of any other one, or
+/// where the box has no end.
+fn smallest(p: &Poly, vars: &[(Var, &Range)]) -> Option<(Rational, bool)> {
+    let (mut sum, mut open) = (Rational::ZERO, false);
+    for (m, c) in p.terms() {
+        if m.total_degree() == 0 {
+            sum = &sum + c;
+            continue;
+        }
+        if m.total_degree() > 1 {
+            return None;
+        }
+        let (_, range) = vars.iter().find(|(var, _)| m.exponent(*var) == 1)?;
+        let end = if c.is_negative() { &range.high } else { &range.low };
+        sum = &sum + &(c * end.value()?);
+        open |= !end.is_included();
+    }
+    Some((sum, open))
 }
 
 /// Whether a polynomial has its sign at a glance: no term is negative on the box.

@@ -350,3 +350,19 @@ fn assumptions_beside_several_coordinates() {
     );
     assert_eq!(refuted.len(), 3);
 }
+
+/// Of two bounds one may be beyond the other for all values: a long chain is one box.
+#[test]
+fn long_chains() {
+    let refuted = refuted(
+        "family Rising {
+            domain 0 <= t <= 1;
+            shape 0 < h[i] <= h[i + 1] for i in 1..12;
+            b[0] = sum(h[i]*t^i for i in 1..=12) + h[1];
+            prove b[0] > 0;
+            prove b[0] <= 13*h[12];
+            refute b[0] <= 11*h[12];
+        }",
+    );
+    assert_eq!(refuted.len(), 1);
+}
