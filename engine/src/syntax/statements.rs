@@ -277,8 +277,7 @@ fn ends_in_number(expr: &Expr) -> bool {
 
 /// Whether a comma and a number follow, as in `0,5`.
 fn begins_digits(input: ParseStream<'_>) -> bool {
-    let after = input.cursor().punct().map(|(_, after)| after);
-    after.and_then(|after| after.literal()).is_some()
+    input.cursor().punct().is_some_and(|(_, after)| after.literal().is_some())
 }
 
 /// `c = …` or `h(x, y) = …` after `let`.

@@ -17,7 +17,7 @@ use basis_prover::collections::list::{Listed, Mapped};
 impl Elaboration<'_> {
     /// `scalar …;`: ends that are numbers make the range, others are relations to what they hold.
     pub(super) fn declared(&mut self, bounds: &Bounds, doc: &[String]) -> Option<()> {
-        let numbers = |end: &'_ Option<Limit>| end.as_ref().filter(|end| !self.depends(&end.value)).is_some();
+        let numbers = |end: &'_ Option<Limit>| end.as_ref().is_some_and(|end| !self.depends(&end.value));
         let (low, high) = (numbers(&bounds.low), numbers(&bounds.high));
         let range = self.range_between(bounds, low, high);
         self.declare(&bounds.target, range.clone().unwrap_or(Range::all()), doc)?;

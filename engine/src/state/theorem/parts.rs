@@ -84,8 +84,9 @@ pub(super) fn enough(stated: Vec<Stated>) -> Vec<Stated> {
 /// Whether premises are left that are no part of a box.
 pub(super) fn has_premises(stated: &Stated) -> bool {
     match &stated.statement {
-        Statement::Sign { domain, .. } | Statement::Zero { domain, .. } => !domain.premises.is_empty(),
-        Statement::Products { domain, .. } => !domain.premises.is_empty(),
+        Statement::Sign { domain, .. }
+        | Statement::Zero { domain, .. }
+        | Statement::Products { domain, .. } => !domain.premises.is_empty(),
         Statement::Independent { .. } => false,
     }
 }
