@@ -5,7 +5,8 @@ use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 use super::error::{error, is_missing_semicolon};
-use super::expr::{comparison, expr, join, loops, name, unexpected};
+use super::expr::{expr, loops};
+use super::tokens::{comparison, join, name, unexpected};
 use super::words::{at_word, equals, take_word, text_of};
 use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, Loops, Relation};
 use crate::advice::{did_you_mean, translated};
@@ -344,7 +345,7 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
     let mut last_sign = comparison;
     loop {
         let at = input.span();
-        let Some(sign) = super::expr::comparison(input)? else { break };
+        let Some(sign) = super::tokens::comparison(input)? else { break };
         let direction = |sign: Comparison| match sign {
             Comparison::Less | Comparison::LessEqual => -1,
             Comparison::Greater | Comparison::GreaterEqual => 1,

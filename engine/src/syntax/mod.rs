@@ -11,6 +11,7 @@ mod parse;
 mod ranges;
 mod statements;
 mod theorems;
+mod tokens;
 mod words;
 
 pub use error::{SyntaxError, SyntaxErrors, SyntaxPlace};

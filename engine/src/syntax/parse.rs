@@ -224,7 +224,7 @@ fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> 
         None => String::from(ITEM_HELP),
     };
     let expected = "`family`, `theorem`, `join` or `use`";
-    Err(error(input.span(), super::expr::unexpected(input, expected).to_string(), help))
+    Err(error(input.span(), super::tokens::unexpected(input, expected).to_string(), help))
 }
 
 /// Goes on at the next word that begins an item, at least one token further.

@@ -6,8 +6,9 @@ use syn::{Result, Token};
 
 use super::claims::assumption;
 use super::error::{error, is_missing_semicolon};
-use super::expr::{comparison, expr, join, loops, name, unexpected};
+use super::expr::{expr, loops};
 use super::ranges::{SHAPE_HELP, bounds};
+use super::tokens::{comparison, join, name, unexpected};
 use super::words::{Doc, at_word, doc, names_between, skip_statement, take_word, text_of};
 use super::{
     Assertion, Comparison, Expected, Expr, ExprKind, PatchKind, SyntaxErrors, Theorem, TheoremKind,

@@ -8,7 +8,7 @@ use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 use super::error::error;
-use super::expr::{comparison, unexpected};
+use super::tokens::{comparison, unexpected};
 use super::{Comparison, Name};
 
 /// Whether the next token is this word.
