@@ -19,7 +19,7 @@ use crate::model::obligation::Goal;
 use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
 use crate::syntax::{
-    self, Comparison, Expr, ExprKind, Factor, Loops, Name, Relation as Written, ShapeDecl, StatementKind,
+    self, Comparison, Expr, ExprKind, Factor, Name, Relation as Written, ShapeDecl, StatementKind,
 };
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
@@ -121,7 +121,7 @@ pub(super) fn without_indices(scope: &mut Scope<'_>, decl: &ShapeDecl) -> Option
     }
     let mut all = Vec::new();
     for constants in rounds(scope, decl)? {
-        let mut one = ShapeDecl { loops: Loops::default(), ..decl.clone() };
+        let mut one = ShapeDecl { loops: syntax::Loops::default(), ..decl.clone() };
         for part in &mut one.parts {
             *part = part.with_indices(&constants);
             if is_indexed(part)
