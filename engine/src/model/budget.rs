@@ -310,8 +310,10 @@ impl Budget {
         // Repeated products with the base, so that every step is counted.
         let mut result = Fraction::constant(Rational::ONE);
         if base.numer().len() <= 2 && base.as_poly().is_some() {
-            self.spend((u64::from(exponent) + 1) * weight(bits))?;
-            return Ok(base.pow(exponent));
+            // High powers are shifts, with as many sums as the square of the exponent.
+            let exponent = u64::from(exponent);
+            self.spend((exponent + 1) * (1 + exponent / 64) * weight(bits))?;
+            return Ok(base.pow(exponent as u32));
         }
         for _ in 0..exponent {
             result = self.mul(&result, base)?;

@@ -25,18 +25,14 @@ pub struct Poly {
 const FEW: usize = 6;
 
 /// The sum of two polynomials.
-fn merge(mut a: Vec<Term>, mut b: Vec<Term>) -> Vec<Term> {
-    let (Some(a_first), Some(a_last)) = (a.first(), a.last()) else { return b };
-    let (Some(b_first), Some(b_last)) = (b.first(), b.last()) else { return a };
-    if a_last.0 < b_first.0 {
-        a.append(&mut b);
-        return a;
+fn merge(a: Vec<Term>, b: Vec<Term>) -> Vec<Term> {
+    let is_before = |a: &[Term], b: &[Term]| a.last().zip(b.first()).is_none_or(|(x, y)| x.0 < y.0);
+    let (mut low, mut high) = if is_before(&b, &a) { (b, a) } else { (a, b) };
+    if is_before(&low, &high) {
+        low.append(&mut high);
+        return low;
     }
-    if b_last.0 < a_first.0 {
-        b.append(&mut a);
-        return b;
-    }
-    combined(&a, &b, false)
+    combined(&low, &high, false)
 }
 
 /// The sum or the difference of two polynomials that are kept.
@@ -89,10 +85,7 @@ fn merge_all(mut all: Vec<Vec<Term>>) -> Vec<Term> {
         let mut pairs = Vec::with_capacity(all.len().div_ceil(2));
         let mut rest = all.into_iter();
         while let Some(a) = rest.next() {
-            pairs.push(match rest.next() {
-                Some(b) => merge(a, b),
-                None => a,
-            });
+            pairs.push(merge(a, rest.next().unwrap_or_default()));
         }
         all = pairs;
     }

@@ -1,5 +1,7 @@
 //! Ranges of real numbers with rational, infinite, included or excluded ends, and boxes of them.
 
+use core::cmp::Ordering;
+
 use super::poly::Var;
 use super::rational::Rational;
 
@@ -56,17 +58,11 @@ impl Range {
 
     /// Whether a number lies in the range.
     pub fn contains(&self, x: &Rational) -> bool {
-        let above = match &self.low {
-            End::Infinite => true,
-            End::Included(v) => x >= v,
-            End::Excluded(v) => x > v,
+        let inside = |end: &End, beyond: Ordering| {
+            let holds = |order: Ordering| order == beyond || order.is_eq() && end.is_included();
+            end.value().is_none_or(|v| holds(x.cmp(v)))
         };
-        above
-            && match &self.high {
-                End::Infinite => true,
-                End::Included(v) => x <= v,
-                End::Excluded(v) => x < v,
-            }
+        inside(&self.low, Ordering::Greater) && inside(&self.high, Ordering::Less)
     }
 
     /// Whether no number lies in the range.

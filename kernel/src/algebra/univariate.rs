@@ -191,6 +191,7 @@ impl Univariate {
             if top.is_zero() {
                 continue;
             }
+            work.spend_fractions(top.bits() + scale.bits())?;
             let common = top.gcd(&scale);
             let (times, minus) = (&scale / &common, &top / &common);
             let minus = if lead.is_negative() { -minus } else { minus };

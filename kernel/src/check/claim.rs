@@ -61,9 +61,6 @@ pub(super) fn inside(range: &Range, x: &Rational) -> bool {
 
 /// The range without its ends.
 pub(super) fn without_ends(range: &Range) -> Range {
-    let open = |end: &End| match end {
-        End::Included(x) | End::Excluded(x) => End::Excluded(x.clone()),
-        End::Infinite => End::Infinite,
-    };
+    let open = |end: &End| end.value().cloned().map_or(End::Infinite, End::Excluded);
     Range { low: open(&range.low), high: open(&range.high) }
 }

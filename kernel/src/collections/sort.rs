@@ -23,11 +23,6 @@ pub fn sort<T: Ord>(items: &mut [T]) {
     sort_by(items, T::cmp);
 }
 
-/// Sorts stably, as [`slice::sort_by_key`].
-pub fn sort_by_key<T, K: Ord>(items: &mut [T], key: impl Fn(&T) -> K) {
-    sort_by(items, |a, b| key(a).cmp(&key(b)));
-}
-
 /// Sorts and leaves one of those that are equal.
 pub fn sort_unique<T: Ord>(items: &mut Vec<T>) {
     sort(items);

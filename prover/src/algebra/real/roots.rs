@@ -55,7 +55,7 @@ impl Root {
         if matches!(self, Self::Exact(_)) {
             return Some(());
         }
-        let p = p.primitive();
+        let p = primitive(p, work)?;
         let lead = p.leading().abs();
         if let ([constant, _], false) = (p.coefficients(), lead.is_zero()) {
             *self = Self::Exact(-&(constant / &p.leading()));
@@ -105,7 +105,9 @@ fn half(x: &Rational) -> Rational {
 
 /// Counts the work of one value, of fractions in lowest terms.
 fn spend_value(p: &Univariate, x: &Rational, work: &mut Work) -> Option<()> {
+    let n = p.degree() as u64;
     work.spend_fractions(x.bits())?;
+    work.spend(2 * n * weight(p.max_bits() + n * x.bits()))?;
     p.spend_sign(x, work)
 }
 
@@ -140,7 +142,7 @@ pub fn isolate(
     if p.is_constant() || matches!((low, high), (Some(a), Some(b)) if a >= b) {
         return Some(roots);
     }
-    let p = p.primitive();
+    let p = primitive(p, work)?;
     // Outside of [−bound, bound] are no roots, and none at its ends.
     let bound = bound(&p);
     let start = low.cloned().unwrap_or(-&bound);
@@ -205,10 +207,24 @@ pub fn bound(p: &Univariate) -> Rational {
     if exponent < 0 { power.recip().unwrap_or(Rational::ONE) } else { power }
 }
 
+/// The work of a sum of numbers of this length in bits, compared with one of machine words: longer ones take memory, and common
+/// divisors.
+const fn weight(bits: u64) -> u64 {
+    if bits <= 128 { 1 + bits / 64 } else { 6 + bits / 32 }
+}
+
+/// The polynomial with whole coefficients without common factor.
+fn primitive(p: &Univariate, work: &mut Work) -> Option<Univariate> {
+    for c in p.coefficients() {
+        work.spend_fractions(c.bits())?;
+    }
+    Some(p.primitive())
+}
+
 /// The Bernstein form on an interval, without the binomial coefficients.
 fn on_interval(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work) -> Option<Vec<Rational>> {
     let n = p.degree() as u64;
-    work.spend(2 * n * n * (1 + (p.max_bits() + n * (low.bits() + high.bits())) / 64) + 10)?;
+    work.spend(2 * n * n * weight(p.max_bits() + n * (low.bits() + high.bits())) + 10)?;
     let mut form = p.coefficients().to_vec();
     fibre::apply(&fibre::on_interval(low, high), &mut form);
     Some(form)
@@ -218,7 +234,7 @@ fn on_interval(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work)
 fn halves(form: &[Rational], work: &mut Work) -> Option<(Vec<Rational>, Vec<Rational>)> {
     let n = form.len() as u64;
     let bits = form.iter().map(Rational::bits).max().unwrap_or(0);
-    work.spend(n * n * (1 + bits / 64) + 10)?;
+    work.spend(n * n * weight(bits) + 10)?;
     let (mut left, mut right) = (form.to_vec(), form.to_vec());
     fibre::apply(&fibre::lower_half(), &mut left);
     fibre::apply(&fibre::upper_half(), &mut right);
