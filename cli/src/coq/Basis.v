@@ -932,42 +932,65 @@ Section OneVariable.
   Qed.
 End OneVariable.
 
-(** Whether the coefficients show that p has the sign on the box. *)
-Fixpoint decide (rs : list range) (s : bool) (p : pol) : bool :=
+(** The number of coefficients in each variable, of all coefficients in the variables before. *)
+Fixpoint maxs (l m : list nat) : list nat :=
+  match l, m with [], _ => m | _, [] => l | a :: l, b :: m => Nat.max a b :: maxs l m end.
+Fixpoint lengths (p : pol) : list nat :=
+  match p with C _ => [] | P l => length l :: fold_right (fun c acc => maxs (lengths c) acc) [] l end.
+
+(** Coefficients with zeros behind them, up to a number of them: those of a higher degree. *)
+Definition pad (n : nat) (l : list pol) : list pol := l ++ repeat (C 0) (n - length l).
+
+Lemma pad_ok n l x env : horner x (evs (pad n l) env) = horner x (evs l env).
+Proof.
+  unfold pad. induction l as [|c l IH] in n |- *; simpl.
+  - induction (n - 0)%nat as [|k IH]; simpl; [reflexivity|]. rewrite IH, Q2R_0. ring.
+  - specialize (IH (pred n)). replace (n - S (length l))%nat with (pred n - length l)%nat by lia. rewrite IH. reflexivity.
+Qed.
+
+(** Whether the coefficients show that p has the sign on the box: those of the degrees that polynomials have, or of higher
+    ones, by the numbers of coefficients that are given. *)
+Fixpoint decide (ns : list nat) (rs : list range) (s : bool) (p : pol) : bool :=
   match p with
   | C c => if s then qlt 0 c else Qle_bool 0 c
   | P l =>
     match rs with
     | [] => false
     | (lo, hi) :: rs =>
-      match l, lo, hi with
-      | [c], _, _ => decide rs s c
-      | _, Inf, Inf => (side (decide rs) s Inf (Incl 0) l && side (decide rs) s (Incl 0) Inf l)%bool
-      | _, _, _ => side (decide rs) s lo hi l
+      match l with
+      | [c] => decide (tl ns) rs s c
+      | _ =>
+        match lo, hi with
+        | Inf, Inf => (side (decide (tl ns) rs) s Inf (Incl 0) (pad (hd O ns) l) &&
+                       side (decide (tl ns) rs) s (Incl 0) Inf (pad (hd O ns) l))%bool
+        | _, _ => side (decide (tl ns) rs) s lo hi (pad (hd O ns) l)
+        end
       end
     end
   end.
 
-Lemma decide_ok rs : forall s p env, decide rs s p = true -> inbox rs env -> sign s (ev p env).
+Lemma decide_ok rs : forall ns s p env, decide ns rs s p = true -> inbox rs env -> sign s (ev p env).
 Proof.
   assert (HC : forall (s : bool) c env, (if s then qlt 0 c else Qle_bool 0 c) = true -> sign s (ev (C c) env)).
   { intros s c env H; destruct s; simpl; rewrite <- Q2R_0; [apply qlt_ok, H | apply Qle_Rle, Qle_bool_iff, H]. }
-  induction rs as [|[lo hi] rs IH]; intros s [c | l] env H B;
+  induction rs as [|[lo hi] rs IH]; intros ns s [c | l] env H B;
     try (apply HC; exact H); [discriminate H|].
   destruct B as [[A B] T]; simpl in A, B.
-  assert (G : forall lo hi, side (decide rs) s lo hi l = true -> above lo (hd 0 env) -> below hi (hd 0 env) ->
+  set (m := pad (hd O ns) l) in *.
+  assert (G : forall lo hi, side (decide (tl ns) rs) s lo hi m = true -> above lo (hd 0 env) -> below hi (hd 0 env) ->
     sign s (ev (P l) env)).
-  { intros lo' hi' H' A' B'. simpl. apply (side_ok (decide rs)) with (lo := lo') (hi := hi'); auto. }
+  { intros lo' hi' H' A' B'. change (sign s (horner (hd 0 env) (evs l (tl env)))). rewrite <- (pad_ok (hd O ns)).
+    apply (side_ok (decide (tl ns) rs)) with (lo := lo') (hi := hi'); auto. intros s' p' D. apply (IH _ _ _ _ D), T. }
   assert (G2 : match lo, hi with
-    | Inf, Inf => (side (decide rs) s Inf (Incl 0) l && side (decide rs) s (Incl 0) Inf l)%bool
-    | _, _ => side (decide rs) s lo hi l end = true -> sign s (ev (P l) env)).
+    | Inf, Inf => (side (decide (tl ns) rs) s Inf (Incl 0) m && side (decide (tl ns) rs) s (Incl 0) Inf m)%bool
+    | _, _ => side (decide (tl ns) rs) s lo hi m end = true -> sign s (ev (P l) env)).
   { intros H'. destruct lo, hi; try (apply (G _ _ H'); assumption).
     apply andb_prop in H' as [H1 H2]. destruct (Rle_dec (hd 0 env) 0) as [L | L].
     - apply (G _ _ H1); simpl; rewrite ?Q2R_0; auto.
     - apply (G _ _ H2); simpl; rewrite ?Q2R_0; auto. lra. }
   destruct l as [|c [|d l]].
   - apply G2. destruct lo, hi; exact H.
-  - replace (ev (P [c]) env) with (ev c (tl env)) by (simpl; ring). apply IH; [exact H | exact T].
+  - replace (ev (P [c]) env) with (ev c (tl env)) by (simpl; ring). apply (IH (tl ns)); [exact H | exact T].
   - apply G2. destruct lo, hi; exact H.
 Qed.
 
@@ -1011,7 +1034,7 @@ Definition corner (decides : bool -> pol -> bool) (s : bool) (a b : pol) (e : bo
 
 Fixpoint check (c : cert) (rs : list range) (s : bool) (p : pol) : bool :=
   match c with
-  | Direct => decide rs s p
+  | Direct => (decide [] rs s p || decide (lengths p) rs s p)%bool
   | Cut k q low high => (check low (set_high k q rs) s p && check high (set_low k q rs) s p)%bool
   | Product n f g cf cg =>
       (is0 (sub p (mul f g)) && check cf rs s (if n then opp f else f) && check cg rs s (if n then opp g else g))%bool
@@ -1075,7 +1098,7 @@ Lemma check_ok c : forall rs s p env, check c rs s p = true -> inbox rs env -> s
 Proof.
   induction c as [|k q low IHl high IHh | n f g cf IHf cg IHg | f g c IH | k low IHl high IHh];
     intros rs s p env H B; simpl in H.
-  - eapply decide_ok; eassumption.
+  - apply orb_prop in H as [H | H]; eapply decide_ok; eassumption.
   - apply andb_prop in H as [H1 H2]. destruct (set_ok k q rs env B); eauto.
   - apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
     apply (is0_ok _ env) in H1. rewrite sub_ok, mul_ok in H1.

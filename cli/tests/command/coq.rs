@@ -339,7 +339,8 @@ family Turn {
 }
 ";
 
-/// Signs that are shown by factors and by corners, and independence of functions over different denominators.
+/// Signs that are shown by factors, by corners, and by coefficients of a higher degree than those of a part have, products of
+/// domains, and independence of functions over different denominators.
 const OTHERS: &str = "\
 family Signs {
     domain 0 <= t <= 1;
@@ -353,6 +354,12 @@ family Signs {
     prove -(3*t - 1)^2*(m - 2) >= 0;
     prove (m + 1)*(t - k)^2 + (2 - m)*(3*t - k)^2 >= 0;
     prove independent except k = 0;
+}
+family Degrees {
+    domain 0 <= t <= 1;
+    shape 0 <= k <= 1;
+    b[0] = (1 - k)*(t^2 - t + 2/5) + k*t^4;
+    prove b[0] >= 0;
 }
 family Prism {
     domain triangle (u, v, w), -1 <= z <= 2;
@@ -397,7 +404,8 @@ fn coq_accepts_factors_corners_and_different_denominators() {
     let run = folder.run(&["check", "--coq", "v", "others.basis"]);
     assert_eq!(run.code, 0, "{run:?}");
     let folder = folder.path().join("v");
-    let changes: [(&str, &[(&str, &str)]); 4] = [
+    let changes: [(&str, &[(&str, &str)]); 5] = [
+        ("others_Degrees.v", &[("  0 <= k <= 1 ->\n", "  0 <= k <= 2 ->\n")]),
         (
             "others_Prism.v",
             &[
