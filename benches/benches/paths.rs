@@ -1,6 +1,6 @@
 //! Parallel curves, strokes and simplification beside kurbo's, and fits: `cargo bench -p basis-benches --bench paths`.
 //!
-//! The numbers of segments stand above the times. `splines.py` asks scipy for fits.
+//! The numbers of segments stand above the times. `benches/splines.py` asks scipy for the fits of splines.
 
 use basis_runtime::bspline::KnotVector;
 use basis_runtime::{BernsteinBasis, Bezier, Fit, FitEnd, ParametricCurve, Path, Stroke};

@@ -224,6 +224,41 @@ mod insertion {
     }
 }
 
+/// The nearest point of a curve with 64 spans from points around it. curvo's search is local and has no bound.
+mod nearest {
+    use super::{Bencher, P3, SPANS, black_box, curvos, ours};
+
+    const POINTS: u32 = 256;
+
+    fn targets() -> Vec<P3> {
+        let target = |i: u32| {
+            let x = f64::from(i) / f64::from(POINTS) * SPANS as f64;
+            [x, 2.0 * (1.7 * x).sin(), 0.25]
+        };
+        (0..POINTS).map(target).collect()
+    }
+
+    #[divan::bench]
+    fn with_bound(bencher: Bencher<'_, '_>) {
+        let (curve, targets) = (black_box(ours()), targets());
+        bencher.counter(POINTS).bench_local(|| {
+            for &target in &targets {
+                black_box(basis_runtime::ParametricCurve::nearest(&curve, target, 1e-9));
+            }
+        });
+    }
+
+    #[divan::bench]
+    fn curvo(bencher: Bencher<'_, '_>) {
+        let (curve, targets) = (black_box(curvos()), targets());
+        bencher.counter(POINTS).bench_local(|| {
+            for &target in &targets {
+                let _ = black_box(curve.find_closest_parameter(&nalgebra::Point3::from(target)));
+            }
+        });
+    }
+}
+
 /// Two surfaces, with as many spans along the joint and one more, to 1e-5 and 1e-4.
 mod splicing {
     use super::{

@@ -61,8 +61,8 @@
 //! What can be asked of a curve has one name and one signature, that of the trait `ParametricCurve` (feature `geometry`),
 //! whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
 //! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), [`RationalCurve`], [`RationalBezier`],
-//! and [`Path`], which holds segments of several types. The last three answer all that is in the column of `dyn`, and have
-//! parts. Lists of curves of several types are
+//! [`RationalSpline`], [`SpannedCurve`], and [`Path`], which holds segments of several types. The types without a column answer
+//! all of it as well; an [`Isocurve`] has no control points of its own to be moved or mapped. Lists of curves of several types are
 //! `Vec<Box<dyn ParametricCurve<Point = P>>>`.
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
@@ -89,6 +89,7 @@
 //! | where it meets a surface: `surface_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
+//! | the image under an affine map, of any library of points: `map` | yes | yes | yes | yes | no: the image has a type of its own |
 //!
 //! # Surfaces of all types
 //!
@@ -108,14 +109,17 @@
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes | yes |
 //! | where rays and lines meet it: `ray_intersections`, `line_intersections` | yes | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subpatch`, `reversed` | yes | yes | yes | yes | yes | no: a part has a type of its own |
+//! | the image under an affine map, of a surface of revolution under a similarity: `map` | yes | yes | yes | yes | yes | no: the image has a type of its own |
 //! | triangles within a tolerance, by a [tessellation](Tessellation): `with` | yes | yes | yes | yes | yes | yes |
 //!
-//! [`edge_continuity`] measures how smoothly two surfaces of any types meet along an edge. Triangular patches are surfaces by [`to_tensor_surface`](SimplexPatch::to_tensor_surface).
+//! [`edge_continuity`] measures how smoothly two surfaces of any types meet along an edge. Triangular patches are surfaces by
+//! [`to_tensor_surface`](SimplexPatch::to_tensor_surface), patches on boxes of two variables by `BSplineSurface::try_from`.
 //!
 //! # Points
 //!
 //! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam,
-//! the vectors and points of nalgebra, or a type of your own.
+//! the vectors and points of nalgebra, or a type of your own. Tangents, normals, axes and directions are vectors: of points of
+//! nalgebra, kurbo and lyon_geom the vectors of these libraries, otherwise the type itself ([`Point::Vector`]).
 //!
 //! # Accuracy
 //!
@@ -251,8 +255,8 @@ pub use fit::{Fit, FitEnd, Fitted, FittedSurface, GridCorners, GridFit};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
 pub use geometry::{
-    Closest, CurvePiece, CurveScalar, Enclosed, JoinableCurve, Meeting, MeetingKind, ParametricCurve,
-    PlaneMeeting, SurfaceMeeting,
+    Closest, CurvePiece, CurveScalar, CurveVector, Enclosed, JoinableCurve, Meeting, MeetingKind,
+    ParametricCurve, PlaneMeeting, SurfaceMeeting,
 };
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
@@ -278,7 +282,7 @@ pub use simplex::{
 pub use surface::{Area, BoundedSurface, Isocurve, SurfacePiece};
 pub use surface::{
     BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, RationalPatchOf,
-    RationalSurface, ScalarOf, Surface, TensorSurface, edge_continuity,
+    RationalSurface, ScalarOf, Surface, TensorSurface, VectorOf, edge_continuity,
 };
 pub use vector::Point3;
 

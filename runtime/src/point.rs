@@ -8,9 +8,10 @@ use crate::scalar::{FUSED_HERE, Scalar};
 ///
 /// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the features `glam` and `glam_030` for the float
 /// vectors of glam, and with the feature `nalgebra` for its vectors and points. Sums of points are formed component by
-/// component, derivatives of curves have the type of their points.
+/// component. Tangents, normals, axes and other directions are [`Vector`](Self::Vector)s; derivatives stand in one slice
+/// with the point, and have its type.
 ///
-/// Two functions make a type of your own a point:
+/// Two types and two functions make a type of your own a point:
 ///
 /// ```
 /// use basis_runtime::Point;
@@ -20,6 +21,7 @@ use crate::scalar::{FUSED_HERE, Scalar};
 ///
 /// impl Point for Colour {
 ///     type Scalar = f32;
+///     type Vector = Self;
 ///     const DIM: usize = 3;
 ///     fn from_components(mut component: impl FnMut(usize) -> f32) -> Self {
 ///         Colour { red: component(0), green: component(1), blue: component(2) }
@@ -35,6 +37,10 @@ use crate::scalar::{FUSED_HERE, Scalar};
 pub trait Point: Copy + PartialEq + Debug {
     /// The type of the components.
     type Scalar: Scalar;
+
+    /// The type of directions: of tangents, normals and axes. Where points and vectors are different types, as in nalgebra,
+    /// the vector; otherwise the type itself.
+    type Vector: Point<Scalar = Self::Scalar, Vector = Self::Vector>;
 
     /// The number of components.
     const DIM: usize;
@@ -77,6 +83,7 @@ macro_rules! scalars {
     ($($scalar:ident)+) => {$(
         impl Point for $scalar {
             type Scalar = $scalar;
+            type Vector = Self;
             const DIM: usize = 1;
 
             #[inline]
@@ -95,6 +102,7 @@ scalars!(f32 f64);
 
 impl<S: Scalar, const D: usize> Point for [S; D] {
     type Scalar = S;
+    type Vector = Self;
     const DIM: usize = D;
 
     #[inline]
@@ -115,6 +123,7 @@ macro_rules! glam_points {
     ($glam:ident: $($point:ident($scalar:ident: $($index:literal)+);)+) => {$(
         impl Point for $glam::$point {
             type Scalar = $scalar;
+            type Vector = Self;
             const DIM: usize = [$($index),+].len();
 
             #[inline]
@@ -176,6 +185,7 @@ mod nalgebra {
 
     impl<S: Scalar, const D: usize> Point for SVector<S, D> {
         type Scalar = S;
+        type Vector = Self;
         const DIM: usize = D;
 
         #[inline]
@@ -191,6 +201,7 @@ mod nalgebra {
 
     impl<S: Scalar, const D: usize> Point for AffinePoint<S, D> {
         type Scalar = S;
+        type Vector = SVector<S, D>;
         const DIM: usize = D;
 
         #[inline]

@@ -253,6 +253,12 @@ impl<B: ProductBasis, P: Point<Scalar = B::Scalar>> ProductPatch<B, P> {
         Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
     }
 
+    /// The patch over the same control points with other shape values.
+    #[must_use]
+    pub fn with_basis(&self, basis: B) -> Self {
+        Self::new(basis, self.points)
+    }
+
     /// The patch over the images of all control points: the image under an affine map if the functions sum to 1, and always
     /// under a linear one.
     #[must_use]

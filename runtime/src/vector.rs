@@ -15,6 +15,7 @@ use crate::{Point, Scalar};
 ///
 /// impl Point for Position {
 ///     type Scalar = f32;
+///     type Vector = Self;
 ///     const DIM: usize = 3;
 ///     fn from_components(component: impl FnMut(usize) -> f32) -> Self {
 ///         Position(<[f32; 3]>::from_components(component))
@@ -41,6 +42,12 @@ mod nalgebra {
     impl<S: Scalar> super::Point3 for nalgebra::Point<S, 3> {}
 }
 
+/// The same components in another type: a point as the vector from the origin, or back.
+#[inline]
+pub(crate) fn recast<P: Point, Q: Point<Scalar = P::Scalar>>(point: P) -> Q {
+    Q::from_components(|i| point.component(i))
+}
+
 /// The scalar product `Σ a_i b_i`.
 #[inline]
 pub(crate) fn dot<P: Point>(a: P, b: P) -> P::Scalar {
@@ -49,8 +56,8 @@ pub(crate) fn dot<P: Point>(a: P, b: P) -> P::Scalar {
 
 /// The vector product `a × b`.
 #[inline]
-pub(crate) fn cross<P: Point3>(a: P, b: P) -> P {
-    const { assert!(P::DIM == 3, "a type that implements Point3 has three components") };
+pub(crate) fn cross<P: Point>(a: P, b: P) -> P {
+    const { assert!(P::DIM == 3, "a type that implements Point3 has three components, and its vectors too") };
     P::from_components(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         a.component(j) * b.component(k) - a.component(k) * b.component(j)
@@ -89,6 +96,22 @@ pub(crate) fn direction<P: Point>(vector: P) -> Option<P> {
     let scaled = P::from_components(|i| vector.component(i) / largest);
     let length = dot(scaled, scaled).sqrt();
     Some(P::from_components(|i| scaled.component(i) / length))
+}
+
+/// The unit vector of the part of `vector` that is perpendicular to a unit vector.
+pub(crate) fn perpendicular<P: Point>(unit: P, vector: P) -> Option<P> {
+    let vector = direction(vector)?;
+    let part = direction(vector.add_scaled(unit, -dot(vector, unit)))?;
+    // Once more: what rounding has left along the unit vector is large if the part was small.
+    direction(part.add_scaled(unit, -dot(part, unit)))
+}
+
+/// A unit vector perpendicular to this one, from the axis that is farthest from it.
+pub(crate) fn any_perpendicular<P: Point>(unit: P) -> P {
+    let axis =
+        (0..3).fold(0, |axis, d| if unit.component(d).abs() < unit.component(axis).abs() { d } else { axis });
+    let axis = P::from_components(|d| if d == axis { P::Scalar::ONE } else { P::Scalar::ZERO });
+    perpendicular(unit, axis).unwrap_or(axis)
 }
 
 /// The distance of two points, `|a - b|`.

@@ -28,6 +28,15 @@ struct ScalarArgument<'a> {
     array: bool,
 }
 
+/// The scalars of a join as a struct: one more in the spec is a field that callers lack, and no other argument shifts.
+struct Fields<'a> {
+    /// The function, as it is linked to.
+    function: String,
+    name: Ident,
+    argument: Ident,
+    scalars: &'a [ScalarArgument<'a>],
+}
+
 /// An argument with control points: the whole net of a patch whose points are all given, or one point.
 struct PointArgument<'a> {
     name: Ident,
@@ -99,7 +108,9 @@ pub(crate) fn join(
         _ => TokenStream::new(),
     };
     let names = points.iter().map(|p| &p.name).chain(scalars.iter().map(|s| &s.name));
-    let names: Vec<String> = names.map(names::plain).listed();
+    let mut names: Vec<String> = names.map(names::plain).listed();
+    let fields = (!scalars.is_empty()).then(|| Fields::new(&name, &scalars, &names));
+    names.extend(fields.iter().map(|fields| fields.argument.to_string()));
     let surroundings = Surroundings { runtime, input: &input, taken: &names, points: None };
     let Body { lets, outputs } = rust::body(&points_plan, &surroundings);
     let mut outputs = outputs.iter();
@@ -115,19 +126,23 @@ pub(crate) fn join(
         _ => (quote_spanned!(site()=> (#(#types),*)), quote_spanned!(site()=> (#(#values),*))),
     };
     let arguments =
-        points.iter().map(PointArgument::declaration).chain(scalars.iter().map(ScalarArgument::declaration));
-    let lines = documentation(theorem, verdicts, &points, &scalars, &determined, decided);
+        points.iter().map(PointArgument::declaration).chain(fields.iter().map(Fields::declaration));
+    let taken_apart = fields.iter().map(Fields::taken_apart);
+    let definition = fields.as_ref().map(|fields| fields.definition(&core));
+    let lines = documentation(theorem, verdicts, &points, fields.as_ref(), &determined, decided);
     let lines = lines.iter().map(|line| doc(line));
     if floats::misses_a_number(&checks) || floats::misses_a_number(&lets) || floats::misses_a_number(&value) {
         let message = format!("{} `{}` has numbers beyond f64", floats::ERROR, theorem.title());
         return Err(error(message).help(floats::HELP));
     }
     Ok(quote_spanned! {site()=>
+        #definition
         #(#lines)*
         #[allow(clippy::all, clippy::pedantic, unused_variables)]
         pub fn #name<S: #runtime::Scalar, P: #runtime::Point<Scalar = S>>(
             #(#arguments),*
         ) -> #core::result::Result<#result, #runtime::CurveError> {
+            #(#taken_apart)*
             #checks
             #lets
             #core::result::Result::Ok(#value)
@@ -162,13 +177,61 @@ impl ScalarArgument<'_> {
         }
     }
 
-    fn declaration(&self) -> TokenStream {
+    fn field(&self) -> TokenStream {
         let (name, count) = (&self.name, Literal::usize_unsuffixed(self.scalars.len()));
+        let about = doc(&self.about());
         if self.array {
-            quote_spanned!(site()=> #name: [S; #count])
+            quote_spanned!(site()=> #about pub #name: [S; #count])
         } else {
-            quote_spanned!(site()=> #name: S)
+            quote_spanned!(site()=> #about pub #name: S)
         }
+    }
+
+    /// The range, and what the spec says about it.
+    fn about(&self) -> String {
+        let range = |p: &&Parameter| match (p.range.low.value(), p.range.high.value()) {
+            (None, None) => String::from("any number"),
+            _ => format!("`{}`", p.range.display(&p.name)),
+        };
+        let ranges: Vec<String> = self.scalars.mapped(range);
+        let about: Vec<&str> = self.scalars.iter().take(1).flat_map(|p| &p.doc).map(String::as_str).listed();
+        let about = if about.is_empty() { String::new() } else { format!(": {}", about.join(" ")) };
+        format!("{}{about}", ranges.join(", "))
+    }
+}
+
+impl<'a> Fields<'a> {
+    fn new(function: &Ident, scalars: &'a [ScalarArgument<'a>], taken: &[String]) -> Self {
+        let function = names::plain(function);
+        let name = Ident::new(&format!("{}Scalars", names::camel(&function)), site());
+        let is_taken = taken.iter().any(|name| name == "scalars");
+        let argument = Ident::new(if is_taken { "scalars_of_the_join" } else { "scalars" }, site());
+        Self { function, name, argument, scalars }
+    }
+
+    fn definition(&self, core: &TokenStream) -> TokenStream {
+        let name = &self.name;
+        let about = doc(&format!("The scalars of [`{}`].", self.function));
+        let fields = self.scalars.iter().map(ScalarArgument::field);
+        quote_spanned! {site()=>
+            #about
+            #[derive(#core::clone::Clone, #core::marker::Copy, #core::fmt::Debug, #core::cmp::PartialEq)]
+            #[allow(clippy::all, clippy::pedantic)]
+            pub struct #name<S> {
+                #(#fields),*
+            }
+        }
+    }
+
+    fn declaration(&self) -> TokenStream {
+        let (argument, name) = (&self.argument, &self.name);
+        quote_spanned!(site()=> #argument: #name<S>)
+    }
+
+    fn taken_apart(&self) -> TokenStream {
+        let (argument, name) = (&self.argument, &self.name);
+        let fields = self.scalars.iter().map(|scalar| &scalar.name);
+        quote_spanned!(site()=> let #name { #(#fields),* } = #argument;)
     }
 }
 
@@ -313,7 +376,7 @@ fn documentation(
     theorem: &Theorem,
     verdicts: &[(Claim, Verdict)],
     points: &[PointArgument<'_>],
-    scalars: &[ScalarArgument<'_>],
+    fields: Option<&Fields<'_>>,
     determined: &[Determined<'_>],
     decided: &str,
 ) -> Vec<String> {
@@ -326,18 +389,14 @@ fn documentation(
             None => format!("- `{name}`: the control points of `{} = {}`", patch.name, patch.written),
         });
     }
-    for argument in scalars {
-        let range = |p: &&Parameter| match (p.range.low.value(), p.range.high.value()) {
-            (None, None) => String::from("any number"),
-            _ => format!("`{}`", p.range.display(&p.name)),
-        };
-        let ranges: Vec<String> = argument.scalars.mapped(range);
-        let about: Vec<&str> =
-            argument.scalars.iter().take(1).flat_map(|p| &p.doc).map(String::as_str).listed();
-        let about = if about.is_empty() { String::new() } else { format!(": {}", about.join(" ")) };
-        lines.push(format!("- `{}`: {}{about}", argument.name, ranges.join(", ")));
+    if let Some(fields) = fields {
+        lines.push(format!("- `{}`: the scalars, by name", fields.argument));
+        for scalar in fields.scalars {
+            lines.push(format!("  - `{}`: {}", scalar.name, scalar.about()));
+        }
     }
-    let used = scalars.iter().flat_map(|argument| &argument.scalars).copied().listed();
+    let arguments = fields.iter().flat_map(|fields| fields.scalars);
+    let used = arguments.flat_map(|argument| &argument.scalars).copied().listed();
     let texts = related(theorem, &used).map(|c| format!("`{}`", c.text)).listed();
     if !texts.is_empty() {
         lines.extend([String::new(), format!("They satisfy {}.", texts.join(", "))]);

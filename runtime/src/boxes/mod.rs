@@ -204,6 +204,12 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
         Self { basis, points, net: basis.to_bernstein(&points) }
     }
 
+    /// The patch over the same control points with other shape values.
+    #[must_use]
+    pub fn with_basis(&self, basis: B) -> Self {
+        Self::new(basis, self.points)
+    }
+
     /// The patch over the images of all control points: the image under an affine map if the functions sum to 1, and always
     /// under a linear one.
     #[must_use]

@@ -42,6 +42,7 @@ impl<P: Point> Homogeneous<P> {
 
 impl<P: Point> Point for Homogeneous<P> {
     type Scalar = P::Scalar;
+    type Vector = Homogeneous<P::Vector>;
     const DIM: usize = P::DIM + 1;
 
     #[inline]

@@ -209,13 +209,20 @@ impl<S: Scalar> KnotVector<S> {
         self.knots[below..].iter().take_while(|&&other| other == knot).count()
     }
 
-    /// The index `i` of the span with `t[i] <= t < t[i + 1]`, by bisection.
+    /// The index `i` of the span with `t[i] <= t < t[i + 1]`: where it would be among even knots, or else by bisection.
     ///
     /// The last span includes its right end. Below the domain it is the first span, above it the last one; for NaN the
     /// first.
     #[inline]
     pub fn span(&self, t: S) -> usize {
         let (k, n) = (self.degree, self.functions());
+        let (lo, hi) = (self.knots[k], self.knots[n]);
+        // The cast takes NaN and negative numbers to 0.
+        let even = ((t - lo) / (hi - lo) * S::from_usize(n - k)).to_f64() as usize;
+        let guess = k + even.min(n - k - 1);
+        if self.knots[guess] <= t && t < self.knots[guess + 1] {
+            return guess;
+        }
         let mut span = k + self.knots[k + 1..n].partition_point(|&knot| knot <= t);
         // At the ends of unclamped vectors the span that was found may have no length.
         while span > k && self.knots[span] == self.knots[n] {

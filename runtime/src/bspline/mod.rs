@@ -59,6 +59,7 @@ mod network;
 mod nurbs_curve;
 mod nurbs_revolved;
 mod nurbs_surface;
+mod patch;
 mod rows;
 mod splice;
 mod surface;

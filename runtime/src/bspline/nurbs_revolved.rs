@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::{BSplineSurface, Homogeneous, KnotVector, Net, NurbsCurve, NurbsSurface, SplineError};
 use crate::revolution::Arcs;
-use crate::vector::{cross, direction, dot};
+use crate::vector::{cross, direction, dot, recast};
 use crate::{Basis, Point3, Scalar, SurfaceOfRevolution};
 
 impl<P: Point3> NurbsSurface<P> {
@@ -21,7 +21,7 @@ impl<P: Point3> NurbsSurface<P> {
     pub fn revolved(
         curve: &NurbsCurve<P>,
         origin: P,
-        axis: P,
+        axis: P::Vector,
         angle: P::Scalar,
     ) -> Result<Self, SplineError> {
         let zero = P::Scalar::ZERO;
@@ -29,7 +29,7 @@ impl<P: Point3> NurbsSurface<P> {
         if !(angle > zero && angle <= turn) {
             return Err(SplineError::Angle { angle: angle.to_f64() });
         }
-        let axis = direction(axis).ok_or(SplineError::Axis)?;
+        let axis = direction(recast::<_, P>(axis)).ok_or(SplineError::Axis)?;
         let arcs = Arcs::new(angle);
         let rows = (0..=2 * arcs.count()).map(|halves| {
             let [cos, sin, weight] = arcs.control_point(halves);

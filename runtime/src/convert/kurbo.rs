@@ -11,6 +11,7 @@ macro_rules! points {
     ($($point:ident)+) => {$(
         impl Point for kurbo::$point {
             type Scalar = f64;
+            type Vector = kurbo::Vec2;
             const DIM: usize = 2;
 
             #[inline]
@@ -127,7 +128,7 @@ impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&crate::PiecewiseCu
 impl<B: Basis<Scalar = f64>> kurbo::ParamCurveFit for Curve<B, kurbo::Point> {
     fn sample_pt_tangent(&self, t: f64, sign: f64) -> kurbo::CurveFitSample {
         // At a cusp the direction of arriving is that of leaving on the way back.
-        let leaving = |tangent: Option<kurbo::Point>| tangent.unwrap_or_default().to_vec2();
+        let leaving = |tangent: Option<kurbo::Vec2>| tangent.unwrap_or_default();
         let tangent = if sign < 0.0 {
             -leaving(self.reversed().tangent(1.0 - t))
         } else {

@@ -9,6 +9,7 @@ macro_rules! points {
     ($($point:ident)+) => {$(
         impl<S: Scalar> Point for lyon_geom::$point<S> {
             type Scalar = S;
+            type Vector = lyon_geom::Vector<S>;
             const DIM: usize = 2;
 
             #[inline]

@@ -1,26 +1,44 @@
 //! Direction and bending of a curve: tangent, curvature, torsion, frames that move along it.
 
 use crate::domain::{from_unit, inverse_width};
-use crate::vector::{cross, direction, dot, largest_component, length, wedge};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
+use crate::vector::{
+    any_perpendicular, cross, direction, dot, largest_component, length, perpendicular, recast, wedge,
+};
 use crate::{Basis, Curve, CurveError, Form, Point, Point3, Scalar};
 
 /// Three perpendicular unit vectors at a point of a curve in space; `binormal = tangent × normal`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Frame<P> {
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: Written, P::Vector: serde::Serialize",
+        deserialize = "P: Read<'de>, P::Vector: serde::Deserialize<'de>"
+    ))
+)]
+pub struct Frame<P: Point> {
     /// The point of the curve.
     pub point: P,
     /// The direction in which the curve goes on.
-    pub tangent: P,
+    pub tangent: P::Vector,
     /// A unit vector perpendicular to the tangent.
-    pub normal: P,
+    pub normal: P::Vector,
     /// The unit vector perpendicular to both.
-    pub binormal: P,
+    pub binormal: P::Vector,
 }
 
 impl<P: Point3> Frame<P> {
-    fn new(point: P, tangent: P, normal: P) -> Self {
+    fn new(point: P, tangent: P::Vector, normal: P::Vector) -> Self {
         Self { point, tangent, normal, binormal: cross(tangent, normal) }
+    }
+
+    /// What a slice of frames holds before it is filled.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn empty() -> Self {
+        let zero = P::Vector::zero();
+        Self { point: P::zero(), tangent: zero, normal: zero, binormal: zero }
     }
 }
 
@@ -37,7 +55,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// let slow = Bezier::from_points([[0.0, 0.0], [0.0, 0.0], [3.0, 4.0]]); // the velocity at 0 is zero
     /// assert_eq!(slow.tangent(0.0), Some([0.6, 0.8]));
     /// ```
-    pub fn tangent(&self, t: B::Scalar) -> Option<P> {
+    pub fn tangent(&self, t: B::Scalar) -> Option<P::Vector> {
         let [_, velocity] = self.eval_with_derivs(t);
         let points = self.to_bernstein();
         let largest = points.as_ref().iter().fold(B::Scalar::ZERO, |a, &p| a.max(largest_component(p)));
@@ -47,7 +65,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let inverse_width = inverse_width(B::domain());
         noise = noise * inverse_width;
         if length(velocity) > noise {
-            return direction(velocity);
+            return direction(recast(velocity));
         }
         let mut derivatives = points;
         self.derivatives_into(t, derivatives.as_mut());
@@ -55,7 +73,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         for (order, &derivative) in derivatives.as_ref().iter().enumerate().skip(1) {
             if length(derivative) > noise {
                 let backwards = arriving && order % 2 == 0;
-                return direction(if backwards { P::zero().minus(derivative) } else { derivative });
+                return direction(recast(if backwards { P::zero().minus(derivative) } else { derivative }));
             }
             noise = noise * inverse_width * B::Scalar::from_usize(B::DEGREE - order) * B::Scalar::of(2.0);
         }
@@ -131,14 +149,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     pub fn rotation_minimizing_frames(
         &self,
         count: usize,
-        normal: Option<P>,
+        normal: Option<P::Vector>,
     ) -> Result<alloc::vec::Vec<Frame<P>>, CurveError>
     where
         P: Point3,
     {
-        let zero = P::zero();
-        let mut frames =
-            alloc::vec![Frame { point: zero, tangent: zero, normal: zero, binormal: zero }; count];
+        let mut frames = alloc::vec![Frame::empty(); count];
         self.rotation_minimizing_frames_into(normal, &mut frames)?;
         Ok(frames)
     }
@@ -149,7 +165,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// [`CurveError::NoTangent`] if the curve is a point, or not finite; some of the frames may have been written.
     pub fn rotation_minimizing_frames_into(
         &self,
-        normal: Option<P>,
+        normal: Option<P::Vector>,
         frames: &mut [Frame<P>],
     ) -> Result<(), CurveError>
     where
@@ -174,11 +190,12 @@ pub(crate) fn torsion<P: Point3>([_, first, second, third]: [P; 4]) -> P::Scalar
 /// rounding leaves some `ε`: `n (n-1)` times the largest control point over the square of the width of the domain.
 pub(crate) fn frenet<P: Point3>(
     [point, velocity, acceleration]: [P; 3],
-    tangent: P,
+    tangent: P::Vector,
     bend: P::Scalar,
     t: P::Scalar,
 ) -> Result<Frame<P>, CurveError> {
     let no_normal = CurveError::NoNormal { parameter: t.to_f64() };
+    let acceleration: P::Vector = recast(acceleration);
     let across = acceleration.add_scaled(tangent, -dot(acceleration, tangent));
     // What is left of the second differences of the control points, and of the part along the tangent, by rounding.
     let noise = P::Scalar::of(16.0) * P::Scalar::EPSILON * (length(acceleration) + bend);
@@ -191,9 +208,9 @@ pub(crate) fn frenet<P: Point3>(
 
 /// Frames by double reflection at the points and tangents of `at`, of which there is one for each place of the slice.
 pub(crate) fn rotation_minimizing<P: Point3>(
-    normal: Option<P>,
+    normal: Option<P::Vector>,
     frames: &mut [Frame<P>],
-    at: &dyn Fn(usize) -> Option<(P, P)>,
+    at: &dyn Fn(usize) -> Option<(P, P::Vector)>,
 ) -> Result<(), CurveError> {
     let mut last: Option<Frame<P>> = None;
     for (i, frame) in frames.iter_mut().enumerate() {
@@ -228,30 +245,14 @@ pub(crate) fn curvature<P: Point>(velocity: P, acceleration: P) -> P::Scalar {
     bend / speed / speed
 }
 
-/// The unit vector of the part of `vector` that is perpendicular to a unit vector.
-fn perpendicular<P: Point>(unit: P, vector: P) -> Option<P> {
-    let vector = direction(vector)?;
-    let part = direction(vector.add_scaled(unit, -dot(vector, unit)))?;
-    // Once more: what rounding has left along the unit vector is large if the part was small.
-    direction(part.add_scaled(unit, -dot(part, unit)))
-}
-
-/// A unit vector perpendicular to this one, from the axis that is farthest from it.
-fn any_perpendicular<P: Point3>(unit: P) -> P {
-    let axis =
-        (0..3).fold(0, |axis, d| if unit.component(d).abs() < unit.component(axis).abs() { d } else { axis });
-    let axis = P::from_components(|d| if d == axis { P::Scalar::ONE } else { P::Scalar::ZERO });
-    perpendicular(unit, axis).unwrap_or(axis)
-}
-
 /// The normal of a frame after two reflections: the first maps its point to the next one, the second its tangent,
 /// reflected, to the next one.
-fn reflect_twice<P: Point>(frame: &Frame<P>, point: P, tangent: P) -> P {
-    let reflect = |mirror: P, vector: P| match direction(mirror) {
+fn reflect_twice<P: Point>(frame: &Frame<P>, point: P, tangent: P::Vector) -> P::Vector {
+    let reflect = |mirror: P::Vector, vector: P::Vector| match direction(mirror) {
         Some(unit) => vector.add_scaled(unit, -P::Scalar::of(2.0) * dot(unit, vector)),
         None => vector,
     };
-    let first = point.minus(frame.point);
+    let first = recast(point.minus(frame.point));
     let second = tangent.minus(reflect(first, frame.tangent));
     reflect(second, reflect(first, frame.normal))
 }

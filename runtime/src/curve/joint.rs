@@ -77,7 +77,7 @@ impl<S: Scalar> Joint<S> {
     pub(crate) fn between<P: Point<Scalar = S>>(
         end: [P; 4],
         start: [P; 4],
-        tangents: [Option<P>; 2],
+        tangents: [Option<P::Vector>; 2],
     ) -> Self {
         let angle = match tangents {
             [Some(a), Some(b)] => angle(a, b),

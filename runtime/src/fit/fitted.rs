@@ -9,7 +9,13 @@ use crate::{CurveScalar, ParametricCurve, Point};
 /// What is asked of an end of a fitted curve.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: Written, P::Vector: serde::Serialize",
+        deserialize = "P: Read<'de>, P::Vector: serde::Deserialize<'de>"
+    ))
+)]
 #[non_exhaustive]
 pub enum FitEnd<P: Point> {
     /// Nothing: it is where the other points want it.
@@ -19,7 +25,7 @@ pub enum FitEnd<P: Point> {
     Interpolated,
     /// It is that point, and the curve runs in this direction there, whatever its length; at both ends the direction in which
     /// the parameter grows.
-    Tangent(P),
+    Tangent(P::Vector),
 }
 
 /// A curve near points, and how near.

@@ -7,13 +7,13 @@ use crate::binomial::binomial;
 use crate::vector::is_finite;
 use crate::{
     Array, Basis, Contact, Curve, CurveError, PiecewiseCurve, Point, RationalBasis, RationalBezier,
-    RationalCurve, Scalar,
+    RationalCurve, RationalSpline, Scalar, SpannedBasis, SpannedCurve,
 };
 
 /// A curve whose control points next to an end can be replaced so that it has given derivatives there: what
 /// [`ParametricCurve::continued`] and [`ParametricCurve::preceded`] move. All types with control points of their own
-/// are: [`Curve`], [`PiecewiseCurve`], [`RationalCurve`], [`RationalBezier`], and with the feature `bspline`
-/// `BSplineCurve` and `NurbsCurve`.
+/// are: [`Curve`], [`PiecewiseCurve`], [`RationalCurve`], [`SpannedCurve`], [`RationalBezier`], [`RationalSpline`],
+/// [`Path`](crate::Path), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
 pub trait JoinableCurve: ParametricCurve + Sized {
     /// The highest order of contact at an end: one less than the number of control points that its derivatives can
     /// determine.
@@ -129,6 +129,49 @@ macro_rules! over_family {
 over_family! {
     Basis: Curve;
     RationalBasis: RationalCurve;
+}
+
+/// At an end, the curve is that of the first or the last span.
+impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> JoinableCurve for SpannedCurve<B, P> {
+    fn highest_contact(&self) -> usize {
+        B::LEN.saturating_sub(1)
+    }
+
+    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        possible(self, B::NAME, derivatives)?;
+        let points = self.basis().span(0).start_points(derivatives, copied(self.control_points()))?;
+        finite(points.as_ref())?;
+        Ok(Self::new(self.basis(), points))
+    }
+
+    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        possible(self, B::NAME, derivatives)?;
+        let last = self.basis().span(B::SPANS - 1);
+        let points = last.end_points(derivatives, copied(self.control_points()))?;
+        finite(points.as_ref())?;
+        Ok(Self::new(self.basis(), points))
+    }
+}
+
+/// Only the first or the last curve is changed.
+impl<P: Point> JoinableCurve for RationalSpline<P> {
+    fn highest_contact(&self) -> usize {
+        let curves = self.curves();
+        curves[0].degree().min(curves[curves.len() - 1].degree())
+    }
+
+    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        let mut curves = self.curves().to_vec();
+        curves[0] = curves[0].with_start(derivatives)?;
+        Self::new(curves)
+    }
+
+    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        let mut curves = self.curves().to_vec();
+        let last = curves.len() - 1;
+        curves[last] = curves[last].with_end(derivatives)?;
+        Self::new(curves)
+    }
 }
 
 fn finite<P: Point>(points: &[P]) -> Result<(), CurveError> {

@@ -31,7 +31,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for Curve<B, P> {
         start() -> P;
         end() -> P;
         derivative(t: P::Scalar, order: usize) -> P;
-        tangent(t: P::Scalar) -> Option<P>;
+        tangent(t: P::Scalar) -> Option<P::Vector>;
         curvature(t: P::Scalar) -> P::Scalar;
         arclen(accuracy: P::Scalar) -> P::Scalar;
         inv_arclen(length: P::Scalar, accuracy: P::Scalar) -> P::Scalar;
@@ -89,7 +89,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for PiecewiseCurve<
         reversed() -> Self::Part;
         start() -> P;
         end() -> P;
-        tangent(t: P::Scalar) -> Option<P>;
+        tangent(t: P::Scalar) -> Option<P::Vector>;
         curvature(t: P::Scalar) -> P::Scalar;
         arclen(accuracy: P::Scalar) -> P::Scalar;
         inv_arclen(length: P::Scalar, accuracy: P::Scalar) -> P::Scalar;

@@ -147,6 +147,15 @@ impl Speed {
     }
 }
 
+/// The arc length, and the parameters of that many points at equal distances along the curve, both ends included.
+#[inline]
+pub(super) fn equal_distances(pieces: &[CurvePiece], count: usize, accuracy: f64) -> (f64, Vec<f64>) {
+    let total = length(pieces, accuracy);
+    let steps = count.saturating_sub(1).max(1) as f64;
+    let lengths: Vec<f64> = (0..count).map(|i| total * (i as f64 / steps)).collect();
+    (total, parameters(pieces, &lengths, accuracy))
+}
+
 /// Walks along all pieces, part by part, until `visit` says to stop; `false` if a control point is not finite.
 #[inline]
 fn walk(pieces: &[CurvePiece], accuracy: f64, visit: &mut dyn FnMut(&Leaf) -> bool) -> bool {

@@ -38,3 +38,14 @@ pub(crate) fn heading(pieces: &[CurvePiece], t: f64) -> Option<Vec<f64>> {
         .find(|&i| part.distance(0, i) > noise)
         .map(|i| (0..part.dimension()).map(|d| sign * (part.control(i, d) - part.control(0, d))).collect())
 }
+
+/// The size of second derivatives at a parameter, of which rounding leaves some `ε`: `n (n - 1)` times the largest control
+/// point over the square of the width of the domain.
+#[inline]
+pub(super) fn bend(pieces: &[CurvePiece], t: f64) -> f64 {
+    piece_at(pieces, t).map_or(f64::NAN, |piece| {
+        let [lo, hi] = piece.domain();
+        let degree = piece.degree() as f64;
+        degree * (degree - 1.0).max(0.0) / (hi - lo) / (hi - lo) * piece.largest()
+    })
+}

@@ -3,11 +3,11 @@
 use alloc::vec::Vec;
 
 use super::intersect::{self, Found, MeetingKind};
-use super::{CurvePiece, ParametricCurve};
+use super::{CurvePiece, CurveVector, ParametricCurve};
 use crate::bernstein::roots;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::vector::distance;
+use crate::vector::{distance, recast};
 use crate::{Point, Scalar};
 
 /// A place at which two curves meet, or a curve meets itself.
@@ -90,8 +90,9 @@ pub(super) fn of_one<P: Point>(
 pub(super) fn of_plane<C: ParametricCurve + ?Sized>(
     curve: &C,
     point: C::Point,
-    normal: C::Point,
+    normal: CurveVector<C>,
 ) -> Option<Vec<PlaneMeeting<C::Point>>> {
+    let normal: C::Point = recast(normal);
     let components = |p: C::Point| (0..C::Point::DIM).map(|d| p.component(d).to_f64()).collect::<Vec<f64>>();
     let found = plane_places(&curve.pieces(), &components(point), &components(normal))?;
     let meeting = |(kind, interval): (MeetingKind, [f64; 2])| {

@@ -7,6 +7,7 @@
 mod bounds;
 mod closest;
 mod continued;
+mod convert;
 mod curves;
 mod enclosed;
 mod flatten;
@@ -23,15 +24,16 @@ mod surface_meeting;
 pub(crate) use bounds::control_box;
 pub use closest::Closest;
 pub use continued::JoinableCurve;
+pub(crate) use continued::backwards;
 #[cfg(feature = "bspline")]
-pub(crate) use continued::{backwards, numerators, possible, replace_first};
+pub(crate) use continued::{numerators, possible, replace_first};
+pub(crate) use convert::clamped;
 pub use enclosed::Enclosed;
 pub use intersect::MeetingKind;
 pub(crate) use intersect::{meetings, self_meetings};
 pub use meeting::{Meeting, PlaneMeeting};
 pub(crate) use nearest::nearest as nearest_place;
-pub(crate) use parametric::clamped;
-pub use parametric::{CurveScalar, ParametricCurve};
+pub use parametric::{CurveScalar, CurveVector, ParametricCurve};
 pub use piece::CurvePiece;
 pub(crate) use piece::{derivative, product};
 pub use surface_meeting::SurfaceMeeting;

@@ -4,18 +4,22 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::continued::{JoinableCurve, touching};
+use super::convert::{back, clamped, corners_of, floor, in_the_plane, sample};
 use super::{
     Closest, CurvePiece, Enclosed, Meeting, PlaneMeeting, SurfaceMeeting, bounds, closest, enclosed, flatten,
     length, local, meeting, nearest, surface_meeting,
 };
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
-use crate::vector::{direction, distance, largest_component};
+use crate::vector::{direction, distance, largest_component, recast};
 use crate::{
     BoundedSurface, Contact, CurveError, Frame, Joint, Nearest, Offset, Path, Point, Point3, Scalar,
 };
 
 /// The scalar type of a curve: of its parameter and of the components of its points.
 pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
+
+/// The type of the tangents and normals of a curve.
+pub type CurveVector<C> = <<C as ParametricCurve>::Point as Point>::Vector;
 
 /// A curve `C(t)`, `lo <= t <= hi`, of any type: [`Curve`](crate::Curve) over a family, Bézier curve,
 /// [`RationalCurve`](crate::RationalCurve), [`RationalBezier`](crate::RationalBezier),
@@ -159,17 +163,17 @@ pub trait ParametricCurve {
     ///
     /// Where the velocity vanishes it is the limit: at a cusp the direction of leaving, at the end of the domain that
     /// of arriving. `None` if the curve is a point there, and if anything is not finite.
-    fn tangent(&self, t: CurveScalar<Self>) -> Option<Self::Point> {
+    fn tangent(&self, t: CurveScalar<Self>) -> Option<CurveVector<Self>> {
         let mut first = [Self::Point::zero(); 2];
         self.derivatives_into(t, &mut first);
         let [lo, hi] = self.domain();
         let [size, speed] = [first[0], first[1].scale(hi - lo)].map(largest_component);
         // Far above the rounding errors the velocity has the direction.
         if speed > CurveScalar::<Self>::EPSILON.sqrt() * (size + self.extent()) {
-            return direction(first[1]);
+            return direction(recast(first[1]));
         }
         let heading = local::heading(&self.pieces(), self.place_of(t))?;
-        direction(Self::Point::from_components(|d| CurveScalar::<Self>::of(heading[d])))
+        direction(CurveVector::<Self>::from_components(|d| CurveScalar::<Self>::of(heading[d])))
     }
 
     /// The largest absolute value of a component of a Bézier control point: the size that rounding errors have.
@@ -214,12 +218,7 @@ pub trait ParametricCurve {
         let mut derivatives = [Self::Point::zero(); 3];
         self.derivatives_into(t, &mut derivatives);
         let tangent = self.tangent(t).ok_or(CurveError::NoTangent)?;
-        let pieces = self.pieces();
-        let bend = local::piece_at(&pieces, self.place_of(t)).map_or(f64::NAN, |piece| {
-            let [lo, hi] = piece.domain();
-            let degree = piece.degree() as f64;
-            degree * (degree - 1.0).max(0.0) / (hi - lo) / (hi - lo) * piece.largest()
-        });
+        let bend = local::bend(&self.pieces(), self.place_of(t));
         frenet(derivatives, tangent, CurveScalar::<Self>::of(bend), t)
     }
 
@@ -232,14 +231,12 @@ pub trait ParametricCurve {
     fn rotation_minimizing_frames(
         &self,
         count: usize,
-        normal: Option<Self::Point>,
+        normal: Option<CurveVector<Self>>,
     ) -> Result<Vec<Frame<Self::Point>>, CurveError>
     where
         Self::Point: Point3,
     {
-        let zero = Self::Point::zero();
-        let mut frames =
-            alloc::vec![Frame { point: zero, tangent: zero, normal: zero, binormal: zero }; count];
+        let mut frames = alloc::vec![Frame::empty(); count];
         rotation_minimizing(normal, &mut frames, &|i| {
             let t = sample(self.domain(), i, count);
             Some((self.eval(t), self.tangent(t)?))
@@ -268,14 +265,8 @@ pub trait ParametricCurve {
     /// The parameters of `count` points at equal distances along the curve, both ends included; each as in
     /// [`inv_arclen`](Self::inv_arclen).
     fn arclen_parameters(&self, count: usize, accuracy: CurveScalar<Self>) -> Vec<CurveScalar<Self>> {
-        let pieces = self.pieces();
-        let total = length::length(&pieces, floor(accuracy));
-        let steps = count.saturating_sub(1).max(1) as f64;
-        let lengths: Vec<f64> = (0..count).map(|i| total * (i as f64 / steps)).collect();
-        let mut found: Vec<CurveScalar<Self>> = length::parameters(&pieces, &lengths, floor(accuracy))
-            .into_iter()
-            .map(|t| self.parameter_of(t))
-            .collect();
+        let (total, found) = length::equal_distances(&self.pieces(), count, floor(accuracy));
+        let mut found: Vec<CurveScalar<Self>> = found.into_iter().map(|t| self.parameter_of(t)).collect();
         if let [first, rest @ ..] = &mut found[..]
             && !total.is_nan()
         {
@@ -371,7 +362,7 @@ pub trait ParametricCurve {
         let of = |x: CurveScalar<Self>| {
             Self::Point::from_components(|d| if d == component { x } else { CurveScalar::<Self>::ZERO })
         };
-        let found = meeting::of_plane(self, of(value), of(CurveScalar::<Self>::ONE))?;
+        let found = meeting::of_plane(self, of(value), recast(of(CurveScalar::<Self>::ONE)))?;
         found.first().map(|meeting| meeting.point)
     }
 
@@ -627,46 +618,8 @@ pub trait ParametricCurve {
     fn plane_intersections(
         &self,
         point: Self::Point,
-        normal: Self::Point,
+        normal: CurveVector<Self>,
     ) -> Option<Vec<PlaneMeeting<Self::Point>>> {
         meeting::of_plane(self, point, normal)
     }
-}
-
-/// The parameter of a sample: exact at both ends.
-fn sample<S: Scalar>(domain: [S; 2], index: usize, count: usize) -> S {
-    let steps = S::from_usize(count.saturating_sub(1).max(1));
-    crate::domain::from_unit(domain, S::from_usize(index) / steps)
-}
-
-/// The pieces of a curve in the plane.
-fn in_the_plane<P: Point>(pieces: Vec<CurvePiece>) -> Result<Vec<CurvePiece>, CurveError> {
-    if P::DIM == 2 { Ok(pieces) } else { Err(CurveError::Dimension { expected: 2, found: P::DIM }) }
-}
-
-/// An accuracy for the search in double precision: what is not positive asks for the best.
-fn floor<S: Scalar>(accuracy: S) -> f64 {
-    accuracy.to_f64().max(0.0)
-}
-
-/// A parameter that was found in double precision.
-fn back<S: Scalar>(domain: [S; 2], t: f64) -> S {
-    clamped(domain, S::of(t))
-}
-
-/// The parameter of the domain nearest to `t`; NaN stays.
-pub(crate) fn clamped<S: Scalar>([lo, hi]: [S; 2], t: S) -> S {
-    if t < lo {
-        lo
-    } else if t > hi {
-        hi
-    } else {
-        t
-    }
-}
-
-fn corners_of<P: Point>(sides: &[[f64; 2]]) -> [P; 2] {
-    let corner =
-        |k: usize| P::from_components(|d| P::Scalar::of(sides.get(d).map_or(f64::NAN, |side| side[k])));
-    [corner(0), corner(1)]
 }

@@ -6,7 +6,7 @@ use super::pierce::{Pierced, line_pieces, piercings};
 use super::{MeetingKind, ParametricCurve};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::vector::distance;
+use crate::vector::{distance, recast};
 use crate::{BoundedSurface, Point, Point3, Scalar};
 
 /// A place at which a curve, a ray or a line meets a surface.
@@ -47,11 +47,12 @@ pub(super) fn of_curve<P: Point3>(
 pub(crate) fn of_line<P: Point3>(
     surface: &(impl BoundedSurface<Point = P> + ?Sized),
     start: P,
-    direction: P,
+    direction: P::Vector,
     from: f64,
     accuracy: P::Scalar,
 ) -> Option<Vec<SurfaceMeeting<P>>> {
     let pieces = surface.pieces();
+    let direction: P = recast(direction);
     let [origin, along] = [start, direction].map(|p| [0, 1, 2].map(|d| p.component(d).to_f64()));
     let accuracy = accuracy.to_f64();
     let line = line_pieces(&pieces, origin, along, [from, f64::INFINITY], accuracy)?;

@@ -8,6 +8,7 @@ use super::MeshError;
 use super::facets::{Cut, triangles};
 use super::flat::{self, Flatness, P3, Part};
 use super::graph::{self, Corner};
+use super::limits::Limits;
 use super::lines::{Lines, WIDTH};
 use super::patch::Patch;
 use super::steps::lines;
@@ -115,29 +116,6 @@ pub(super) struct Sheet<'a, S> {
     lines: [Lines; 2],
 }
 
-/// What the triangles of a surface have to keep.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
-    /// The largest distance from the surface.
-    pub(super) tolerance: f64,
-    /// How far points on edges may move when they become one.
-    pub(super) reach: f64,
-    /// Points that near to each other are one.
-    pub(super) weld: f64,
-    /// The longest side of a rectangle.
-    pub(super) edge: f64,
-    /// The largest angle in radians between normals at the corners of a rectangle.
-    pub(super) angle: f64,
-}
-
-impl Limits {
-    fn measured_in(self, unit: f64) -> Self {
-        let Self { tolerance, reach, weld, edge, angle } = self;
-        let [tolerance, reach, weld, edge] = [tolerance, reach, weld, edge].map(|length| length / unit);
-        Self { tolerance, reach, weld, edge, angle }
-    }
-}
-
 impl<'a, S: Scalar> Sheet<'a, S> {
     pub(super) fn new(patch: &'a dyn Patch<S>, surface: usize, limits: Limits) -> Self {
         let mut pieces = patch.bezier();
@@ -243,7 +221,11 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         let [a, b, c, d] = corners;
         let sides = [[a, b], [d, c], [a, d], [b, c]].map(|[from, to]| flat::distance(from, to));
         let lengths = [sides[0].max(sides[1]), sides[2].max(sides[3])];
-        if lengths[0].max(lengths[1]) > self.limits.edge {
+        let [short, long] = [lengths[0].min(lengths[1]), lengths[0].max(lengths[1])];
+        // Around a pole no cut makes a triangle less slender.
+        let ends_in_a_point = sides.iter().any(|&side| side <= self.limits.weld);
+        let is_slender = long > self.limits.aspect * short && !ends_in_a_point;
+        if long > self.limits.edge || is_slender {
             flatness = Flatness { bends: lengths, distance: f64::INFINITY };
         } else if self.limits.angle < f64::PI && flatness.distance <= allowed {
             let turns = self.turns(open.cell);

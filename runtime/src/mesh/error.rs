@@ -17,6 +17,11 @@ pub enum MeshError {
         /// The limit.
         value: f64,
     },
+    /// The largest quotient of sides is less than 2, or NaN.
+    Aspect {
+        /// The quotient.
+        value: f64,
+    },
     /// A surface is infinite or NaN.
     NotFinite {
         /// The number of the surface, in the order in which they were added.
@@ -56,6 +61,12 @@ impl Display for MeshError {
             }
             Self::Limit { value } => {
                 write!(f, "the limit {value} of the length of edges or of an angle is not a positive number")
+            }
+            Self::Aspect { value } => {
+                write!(
+                    f,
+                    "sides that are no more than {value} times as long as others: 2 is the least that can be kept"
+                )
             }
             Self::NotFinite { surface } => write!(f, "surface {surface} is infinite or NaN"),
             Self::Collapsed { surface } => write!(

@@ -7,6 +7,7 @@ mod flat;
 #[cfg(feature = "gltf")]
 mod gltf;
 mod graph;
+mod limits;
 mod lines;
 mod meet;
 #[cfg(feature = "obj")]

@@ -52,6 +52,6 @@ fn parameters<T: Surface>(
     })
 }
 
-fn components<P: Point3>(point: P) -> [P::Scalar; 3] {
+fn components<P: Point>(point: P) -> [P::Scalar; 3] {
     [0, 1, 2].map(|c| point.component(c))
 }

@@ -1,10 +1,12 @@
 //! From surfaces to one mesh.
 
+use alloc::boxed::Box;
 use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
-use super::cells::{Cells, Leaf, Limits, Node, Sheet, is_crowded, on_edge, unit};
+use super::cells::{Cells, Leaf, Node, Sheet, is_crowded, on_edge, unit};
 use super::facets::{Cut, triangles};
+use super::limits::Limits;
 use super::lines::WIDTH;
 use super::meet::meet;
 use super::orient::orient;
@@ -45,7 +47,8 @@ pub struct Tessellation<'a, S> {
     tolerance: S,
     longest_edge: S,
     largest_angle: S,
-    patches: Vec<&'a dyn Patch<S>>,
+    largest_aspect: S,
+    patches: Vec<Box<dyn Patch<S> + 'a>>,
 }
 
 /// How often edges are joined again, with a quarter of the distance each time.
@@ -59,8 +62,8 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
     /// When the tolerance is not positive and finite.
     pub fn new(tolerance: S) -> Result<Self, MeshError> {
         if tolerance > S::ZERO && tolerance.is_finite() {
-            let (longest_edge, largest_angle) = (S::INFINITY, S::INFINITY);
-            Ok(Self { tolerance, longest_edge, largest_angle, patches: Vec::new() })
+            let [longest_edge, largest_angle, largest_aspect] = [S::INFINITY; 3];
+            Ok(Self { tolerance, longest_edge, largest_angle, largest_aspect, patches: Vec::new() })
         } else {
             Err(MeshError::Tolerance { value: tolerance.to_f64() })
         }
@@ -91,7 +94,20 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
         Ok(self)
     }
 
-    /// With one surface more; of a list of surfaces of several types each box, which is a surface too.
+    /// With triangles from rectangles whose longer sides are no more than that many times as long as the shorter ones, but
+    /// for those with a side that is one point. Without it, flat directions are not cut: a cylinder is cut into strips.
+    ///
+    /// # Errors
+    /// When the quotient is less than 2, or NaN.
+    pub fn largest_aspect(mut self, aspect: S) -> Result<Self, MeshError> {
+        if aspect.is_nan() || aspect < S::of(2.0) {
+            return Err(MeshError::Aspect { value: aspect.to_f64() });
+        }
+        self.largest_aspect = aspect;
+        Ok(self)
+    }
+
+    /// With one surface more, also a `dyn BoundedSurface`.
     ///
     /// ```
     /// use basis_runtime::{Bezier, BoundedSurface, SurfaceOfRevolution, Tessellation};
@@ -106,10 +122,10 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
     #[must_use]
     pub fn with<T, P>(mut self, surface: &'a T) -> Self
     where
-        T: BoundedSurface + Surface<Point = P>,
+        T: BoundedSurface + Surface<Point = P> + ?Sized,
         P: Point3<Scalar = S>,
     {
-        self.patches.push(surface);
+        self.patches.push(Box::new(surface));
         self
     }
 
@@ -137,13 +153,14 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
     /// without triangles.
     fn welded(&self, weld: S) -> Result<Result<Mesh<S>, usize>, MeshError> {
         let reach = weld + weld;
-        let patches = &self.patches;
+        let patches: &[&dyn Patch<S>] = &self.patches.iter().map(|patch| &**patch as _).collect::<Vec<_>>();
         let limits = Limits {
             tolerance: self.tolerance.to_f64(),
             reach: reach.to_f64(),
             weld: weld.to_f64(),
             edge: self.longest_edge.to_f64(),
             angle: self.largest_angle.to_f64(),
+            aspect: self.largest_aspect.to_f64(),
         };
         let sheets: Vec<Sheet<'_, S>> =
             patches.iter().enumerate().map(|(k, patch)| Sheet::new(*patch, k, limits)).collect();

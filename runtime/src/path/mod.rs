@@ -16,9 +16,10 @@ pub use segment::PathSegment;
 pub use svg::{SvgError, SvgMistake, to_svg};
 
 use crate::curve::{divisible, nonempty};
+use crate::geometry::backwards;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::{CurveError, CurvePiece, ParametricCurve, Point, Scalar};
+use crate::{CurveError, CurvePiece, JoinableCurve, ParametricCurve, Point, Scalar};
 
 /// A curve of one or more Bézier segments, polynomial or rational, each of a degree of its own.
 ///
@@ -195,5 +196,23 @@ impl<P: Point> ParametricCurve for Path<P> {
 
     fn reversed(&self) -> Self {
         Self { segments: self.segments.iter().rev().map(PathSegment::reversed).collect() }
+    }
+}
+
+/// Only the first or the last segment is changed.
+impl<P: Point> JoinableCurve for Path<P> {
+    fn highest_contact(&self) -> usize {
+        let [first, .., last] = &self.segments[..] else { return self.segments[0].degree() };
+        first.degree().min(last.degree())
+    }
+
+    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        let mut path = self.clone();
+        path.segments[0] = path.segments[0].with_start(derivatives)?;
+        Ok(path)
+    }
+
+    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        Ok(self.reversed().with_start(&backwards(derivatives))?.reversed())
     }
 }

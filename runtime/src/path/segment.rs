@@ -6,7 +6,7 @@ use crate::bernstein;
 use crate::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::{CurveError, CurvePiece, Point, Scalar};
+use crate::{CurveError, CurvePiece, JoinableCurve, Point, RationalBezier, Scalar};
 
 /// A Bézier segment over `0 <= x <= 1`, with the control points `P[i]` and, if it is rational, positive weights `w[i]`:
 ///
@@ -148,6 +148,16 @@ impl<P: Point> PathSegment<P> {
         if let Some(first) = derivatives.first_mut() {
             *first = self.eval(x);
         }
+    }
+
+    /// The segment with this point and these derivatives at its start; its weights stay.
+    pub(super) fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        let weights = match self.weights() {
+            Some(weights) => weights.to_vec(),
+            None => alloc::vec![P::Scalar::ONE; self.points.len()],
+        };
+        let moved = RationalBezier::new(self.points.clone(), weights)?.with_start(derivatives)?;
+        Ok(Self { points: moved.control_points(), weights: self.weights.clone() })
     }
 
     /// The parts below and above `x`; the end of the one is the start of the other, and the outer ends stay.

@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{Path, PathSegment};
+use crate::vector::recast;
 use crate::{CurveError, Point, Scalar};
 
 impl<P: Point> Path<P> {
@@ -42,14 +43,14 @@ impl<P: Point> Path<P> {
     /// The circle around a point in the plane of the first two axes, anticlockwise from its point on the first axis: four
     /// rational quadratic segments, exact.
     pub fn circle(centre: P, radius: P::Scalar) -> Self {
-        let [x, y] = axes::<P>(radius, radius);
+        let [x, y] = axes::<P::Vector>(radius, radius);
         Self::ellipse_arc(centre, [x, y], P::Scalar::ZERO, P::Scalar::PI * P::Scalar::of(2.0))
     }
 
     /// The arc of that circle from the angle `start`, in radians from the first axis, that turns by the angle `turn`,
     /// anticlockwise if it is positive: rational quadratic segments of at most a quarter of the circle each, exact.
     pub fn circle_arc(centre: P, radius: P::Scalar, start: P::Scalar, turn: P::Scalar) -> Self {
-        Self::ellipse_arc(centre, axes::<P>(radius, radius), start, turn)
+        Self::ellipse_arc(centre, axes::<P::Vector>(radius, radius), start, turn)
     }
 
     /// The ellipse around a point in the plane of the first two axes with these half axes, the first of them turned by
@@ -58,7 +59,7 @@ impl<P: Point> Path<P> {
         const { assert!(P::DIM >= 2, "an ellipse has two dimensions") };
         let (sin, cos) = exact_sin_cos(rotation);
         let vector = |x: P::Scalar, y: P::Scalar| {
-            P::from_components(|d| match d {
+            P::Vector::from_components(|d| match d {
                 0 => x,
                 1 => y,
                 _ => P::Scalar::ZERO,
@@ -71,7 +72,8 @@ impl<P: Point> Path<P> {
     /// The arc `centre + cos α · axes[0] + sin α · axes[1]` from `α = start` to `start + turn`, in a space of any
     /// dimension: rational quadratic segments of at most a quarter of the ellipse each, exact. The two vectors need
     /// not be perpendicular. Turns by more than 2π, and NaN, count as a full turn.
-    pub fn ellipse_arc(centre: P, axes: [P; 2], start: P::Scalar, turn: P::Scalar) -> Self {
+    pub fn ellipse_arc(centre: P, axes: [P::Vector; 2], start: P::Scalar, turn: P::Scalar) -> Self {
+        let axes = axes.map(recast::<_, P>);
         let full = P::Scalar::PI * P::Scalar::of(2.0);
         let closed = turn.abs() >= full || turn.is_nan();
         let turn = match closed {

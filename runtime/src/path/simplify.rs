@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::approximate::deviation;
 use super::{Path, PathSegment};
-use crate::vector::{direction, distance, is_finite, largest_component};
+use crate::vector::{direction, distance, is_finite, largest_component, recast};
 use crate::{BernsteinBasis, CurveError, Fit, FitEnd, Point, Scalar};
 
 /// How often a part is halved before it counts as too far away.
@@ -12,6 +12,13 @@ const DEPTH: usize = 12;
 
 /// The most segments that one segment stands for.
 const LONGEST: usize = 256;
+
+/// Rounds of a fit that improve its parameters: at first, and where that is not enough.
+const FEW: usize = 6;
+const MANY: usize = 40;
+
+/// By how many times the tolerance a fit may miss after the first rounds.
+const HOPE: f64 = 8.0;
 
 impl<P: Point> Path<P> {
     /// A path of fewer segments, polynomials of degree 3 at most: one passes along the other within the tolerance, so that no point
@@ -83,9 +90,9 @@ fn replacement<P: Point>(run: &[PathSegment<P>], tolerance: P::Scalar) -> Option
         let mut derivatives = [P::zero(); 2];
         segment.derivatives_into(x, &mut derivatives);
         // Where the first control points coincide, the chord has the direction well enough.
-        direction(derivatives[1]).or_else(|| {
+        direction(recast::<_, P::Vector>(derivatives[1])).or_else(|| {
             let inside = segment.eval(P::Scalar::of(1e-3) * (P::Scalar::ONE - x) + P::Scalar::of(0.999) * x);
-            direction(inside.minus(segment.eval(x)).scale(sign))
+            direction(recast(inside.minus(segment.eval(x)).scale(sign)))
         })
     };
     let ends = [
@@ -100,7 +107,12 @@ fn replacement<P: Point>(run: &[PathSegment<P>], tolerance: P::Scalar) -> Option
     }
     points.push(last.end());
     let cubic = BernsteinBasis::<P::Scalar, 4>::default();
-    let fit = Fit::new(&points).ends(ends).orthogonal(40).curve(cubic).ok()?;
+    let fitted = |rounds: usize| Fit::new(&points).ends(ends).orthogonal(rounds).curve(cubic).ok();
+    // A few rounds tell whether all of them could be enough.
+    let mut fit = fitted(FEW)?;
+    if fit.largest > tolerance && fit.largest <= tolerance * P::Scalar::of(HOPE) {
+        fit = fitted(MANY)?;
+    }
     if fit.largest > tolerance {
         return None;
     }

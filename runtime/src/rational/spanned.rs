@@ -3,7 +3,7 @@
 use core::fmt::{self, Debug, Formatter};
 
 use super::{Chart, RationalBasis, RationalCurve};
-use crate::{Array, CurveError, Point, Scalar};
+use crate::{Array, CountError, CurveError, Point, Scalar};
 
 /// A family of basis functions `b[0], …, b[LEN - 1]` on several neighbouring spans, with its shape parameters set to
 /// values: on each span quotients of polynomials as those of a [`RationalBasis`], polynomials where the denominator is 1.
@@ -148,6 +148,30 @@ impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> SpannedCurve<B, P> {
     pub fn new(basis: B, points: B::Points<P>) -> Self {
         let spans = B::Spans::from_fn(|index| RationalCurve::new(basis.span(index), points));
         Self { basis, points, spans }
+    }
+
+    /// The curve over control points in a slice, one for each basis function.
+    ///
+    /// # Errors
+    /// If the number of points is not the number of functions.
+    pub fn from_slice(basis: B, points: &[P]) -> Result<Self, CountError> {
+        if points.len() != B::LEN {
+            return Err(CountError::new(B::NAME, B::LEN, points.len()));
+        }
+        Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
+    }
+
+    /// The curve over the same control points with other shape values.
+    #[must_use]
+    pub fn with_basis(&self, basis: B) -> Self {
+        Self::new(basis, self.points)
+    }
+
+    /// The curve over the images of all control points: the image under an affine map if the functions sum to 1, and always
+    /// under a linear one.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = B::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> SpannedCurve<B, Q> {
+        SpannedCurve::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
     /// The curves of which it consists, in the order of their domains.

@@ -49,6 +49,12 @@ impl<P: Point> RationalSpline<P> {
         &self.curves
     }
 
+    /// The image under an affine map: the images of all control points, with the same weights.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = P::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> RationalSpline<Q> {
+        RationalSpline { curves: self.curves.iter().map(|curve| curve.map(&mut image)).collect() }
+    }
+
     /// The curve at a parameter, and the parameter of that curve.
     fn locate(&self, t: P::Scalar) -> (usize, P::Scalar) {
         let begun = |k: &usize| t >= P::Scalar::from_usize(*k);

@@ -16,6 +16,8 @@ pub enum RevolutionError {
     Axis,
     /// A control point of the generatrix is infinite or NaN.
     NotFinite,
+    /// A map that is no similarity: the image is no surface of revolution.
+    NoSimilarity,
 }
 
 impl Display for RevolutionError {
@@ -29,6 +31,9 @@ impl Display for RevolutionError {
             }
             Self::Axis => write!(f, "the axis needs a finite point and a finite direction that is not zero"),
             Self::NotFinite => write!(f, "a control point of the generatrix is infinite or NaN"),
+            Self::NoSimilarity => {
+                write!(f, "the map distorts angles, so that the image is no surface of revolution")
+            }
         }
     }
 }

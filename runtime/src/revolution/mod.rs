@@ -10,8 +10,10 @@ use core::ops::Range;
 
 use crate::curve::{divisible, nonempty};
 use crate::surface::partials_by_number;
-use crate::vector::{cross, direction, dot, is_finite};
-use crate::{Array, Basis, BernsteinOf, BezierOf, Curve, CurveError, Direction, Point3, Scalar, Surface};
+use crate::vector::{any_perpendicular, cross, direction, distance, dot, is_finite, length, recast};
+use crate::{
+    Array, Basis, BernsteinOf, BezierOf, Curve, CurveError, Direction, Point, Point3, Scalar, Surface,
+};
 #[cfg(feature = "bspline")]
 pub(crate) use circle::Arcs;
 pub use circle::half_turn_parameter;
@@ -52,8 +54,8 @@ pub use rational::RevolutionPatch;
         into = "crate::serialize::revolution::Revolution<B, P>",
         try_from = "crate::serialize::revolution::Revolution<B, P>",
         bound(
-            serialize = "B: serde::Serialize, P: serde::Serialize, B::Scalar: serde::Serialize",
-            deserialize = "B: serde::Deserialize<'de>, P: serde::Deserialize<'de>, B::Scalar: serde::Deserialize<'de>"
+            serialize = "B: serde::Serialize, P: serde::Serialize, P::Vector: serde::Serialize, B::Scalar: serde::Serialize",
+            deserialize = "B: serde::Deserialize<'de>, P: serde::Deserialize<'de>, P::Vector: serde::Deserialize<'de>, B::Scalar: serde::Deserialize<'de>"
         )
     )
 )]
@@ -62,7 +64,7 @@ pub struct SurfaceOfRevolution<B: Basis, P: Point3<Scalar = B::Scalar>> {
     /// `O`
     point: P,
     /// As given, not of length one.
-    axis: P,
+    axis: P::Vector,
     /// `O + h d`, the centres of the circles.
     centres: Curve<B, P>,
     /// `r`, from the centre to the point at angle 0.
@@ -81,14 +83,15 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     pub fn new(
         generatrix: &Curve<B, P>,
         point: P,
-        axis: P,
+        axis: P::Vector,
         angle: B::Scalar,
     ) -> Result<Self, RevolutionError> {
         // Written so that NaN is refused.
         if !(angle > B::Scalar::ZERO && angle <= B::Scalar::of(2.0) * B::Scalar::PI) {
             return Err(RevolutionError::Angle { value: angle.to_f64() });
         }
-        let along_axis = direction(axis).filter(|_| is_finite(point)).ok_or(RevolutionError::Axis)?;
+        let along_axis =
+            direction(recast::<_, P>(axis)).filter(|_| is_finite(point)).ok_or(RevolutionError::Axis)?;
         let points = generatrix.control_points();
         if !points.iter().all(|&p| is_finite(p)) {
             return Err(RevolutionError::NotFinite);
@@ -129,14 +132,62 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
 
     /// A point of the axis, and its direction, as they were given.
     #[inline]
-    pub fn axis(&self) -> [P; 2] {
-        [self.point, self.axis]
+    pub fn axis(&self) -> (P, P::Vector) {
+        (self.point, self.axis)
     }
 
     /// Whether the surface is a full turn.
     #[inline]
     pub fn is_closed(&self) -> bool {
         self.angle == B::Scalar::of(2.0) * B::Scalar::PI
+    }
+
+    /// The image under a similarity: a motion, a reflection, a uniform scaling, or several of them.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, Surface, SurfaceOfRevolution};
+    ///
+    /// let cone = SurfaceOfRevolution::about_x(&Bezier::from_points([[0.0, 0.0], [2.0, 1.0]]), 3.0)?;
+    /// let moved = cone.map(|[x, y, z]| [5.0 - y, 2.0 + x, z])?; // turned by a right angle, and moved
+    /// let [x, y, z]: [f64; 3] = moved.eval(1.0, 1.5);
+    /// assert!((x - 5.0).hypot(z) - 1.0 < 1e-14 && (y - 4.0).abs() < 1e-14); // on a circle about the line (5, y, 0)
+    /// assert!(cone.map(|[x, y, z]| [x, y, 2.0 * z]).is_err()); // elliptic
+    /// # Ok::<(), basis_runtime::RevolutionError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RevolutionError::NoSimilarity`] if the map distorts angles, because the image is no surface of revolution then; with the
+    /// feature `bspline` the surface as a `NurbsSurface` has an image under every affine map. Otherwise as
+    /// [`new`](Self::new).
+    pub fn map<Q: Point3<Scalar = B::Scalar>>(
+        &self,
+        mut image: impl FnMut(P) -> Q,
+    ) -> Result<SurfaceOfRevolution<B, Q>, RevolutionError> {
+        let along = direction(recast::<_, P>(self.axis)).ok_or(RevolutionError::Axis)?;
+        let across = any_perpendicular(along);
+        // The images of a frame as large as the surface.
+        let points = self.generatrix.control_points();
+        let size = points.iter().fold(B::Scalar::ZERO, |size, &p| size.max(distance(p, self.point)));
+        let size = if size > B::Scalar::ZERO { size } else { B::Scalar::ONE };
+        let origin = image(self.point);
+        let frame = [along, across, cross(along, across)]
+            .map(|unit| image(self.point.add_scaled(unit, size)).minus(origin));
+        let lengths = frame.map(length);
+        let noise = B::Scalar::of(64.0) * B::Scalar::EPSILON * (lengths[0] + length(origin));
+        let alike = |k: usize| {
+            let next = frame[(k + 1) % 3];
+            (lengths[k] - lengths[0]).abs() <= noise && dot(frame[k], next).abs() <= noise * lengths[0]
+        };
+        if !(0..3).all(alike) {
+            return Err(RevolutionError::NoSimilarity);
+        }
+        // A reflection turns the other way about the image of the axis.
+        let mirrored = dot(cross(frame[0], frame[1]), frame[2]) < B::Scalar::ZERO;
+        let axis = recast::<P::Vector, Q::Vector>(self.axis);
+        let length_of_axis = length(axis) / lengths[0];
+        let axis =
+            recast::<_, Q::Vector>(frame[0]).scale(if mirrored { -length_of_axis } else { length_of_axis });
+        SurfaceOfRevolution::new(&self.generatrix.map(image), origin, axis, self.angle)
     }
 
     /// The meridian at the angle `v`: the generatrix, turned by that angle.

@@ -8,20 +8,20 @@ use crate::{Basis, Curve, Point3, RevolutionError, SurfaceOfRevolution};
 #[serde(
     rename = "SurfaceOfRevolution",
     bound(
-        serialize = "B: Serialize, P: Serialize, B::Scalar: Serialize",
-        deserialize = "B: Deserialize<'de>, P: Deserialize<'de>, B::Scalar: Deserialize<'de>"
+        serialize = "B: Serialize, P: Serialize, P::Vector: Serialize, B::Scalar: Serialize",
+        deserialize = "B: Deserialize<'de>, P: Deserialize<'de>, P::Vector: Deserialize<'de>, B::Scalar: Deserialize<'de>"
     )
 )]
 pub(crate) struct Revolution<B: Basis, P: Point3<Scalar = B::Scalar>> {
     generatrix: Curve<B, P>,
     point: P,
-    axis: P,
+    axis: P::Vector,
     angle: B::Scalar,
 }
 
 impl<B: Basis, P: Point3<Scalar = B::Scalar>> From<SurfaceOfRevolution<B, P>> for Revolution<B, P> {
     fn from(surface: SurfaceOfRevolution<B, P>) -> Self {
-        let [point, axis] = surface.axis();
+        let (point, axis) = surface.axis();
         Self { generatrix: *surface.generatrix(), point, axis, angle: surface.angle() }
     }
 }

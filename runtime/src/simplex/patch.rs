@@ -7,6 +7,7 @@ use super::index::SimplexIndex;
 use super::net::triangle_point;
 use super::normal;
 use super::{SimplexBasis, TriangularBasis, finish, partial};
+use crate::vector::recast;
 use crate::{Array, CountError, Curve, Point, Point3, Scalar};
 
 /// A triangular patch `S(u, v, w) = Σ b[i,j,k](u, v, w) P[i,j,k]`, `u + v + w = 1`, over control points `P[i,j,k]` in
@@ -72,6 +73,12 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// The patch over these control points, one for each function.
     pub fn new(basis: B, points: B::Points<P>) -> Self {
         Self { basis, points, net: basis.to_bernstein(&points) }
+    }
+
+    /// The patch over the same control points with other shape values.
+    #[must_use]
+    pub fn with_basis(&self, basis: B) -> Self {
+        Self::new(basis, self.points)
     }
 
     /// The patch over the images of all control points: the image under an affine map if the functions sum to 1, and always
@@ -186,12 +193,12 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// At a zero inside of the triangle the limits of the three triangles that meet there must agree, as they do for
     /// `(x² - y², 2xy, 0)`. Where a curve of zeros passes through the inside, as `x = 0` for `(x³, y, 0)`, the answer
     /// is `None`, even if the normals on both sides are the same.
-    pub fn normal(&self, u: B::Scalar, v: B::Scalar) -> Option<P>
+    pub fn normal(&self, u: B::Scalar, v: B::Scalar) -> Option<P::Vector>
     where
         P: Point3,
     {
         let at = [u, v, B::Scalar::ONE - u - v];
-        normal::normal::<B, P>(self.net, B::DEGREE, at)
+        normal::normal::<B, P>(self.net, B::DEGREE, at).map(recast)
     }
 
     /// The boundary curve along an edge, from its start to its end, over the interval from 0 to 1.

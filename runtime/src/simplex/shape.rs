@@ -20,6 +20,15 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         self.to_tensor_surface().bounding_box()
     }
 
+    /// The area of a triangular patch in space, with a bound of its error; as [`BoundedSurface::area`](crate::BoundedSurface::area).
+    #[cfg(feature = "geometry")]
+    pub fn area(&self, accuracy: B::Scalar) -> Option<crate::Area<B::Scalar>>
+    where
+        P: Point3,
+    {
+        crate::BoundedSurface::area(&self.to_tensor_surface(), accuracy)
+    }
+
     /// How the patch bends at `(u, v)`, as seen from the side of `S_u × S_v`; `None` where that vanishes or anything is
     /// not finite.
     pub fn curvature(&self, u: B::Scalar, v: B::Scalar) -> Option<Curvature<P>>

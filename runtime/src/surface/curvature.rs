@@ -2,8 +2,8 @@
 
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::vector::{cross, direction, dot, length};
-use crate::{Point3, Scalar};
+use crate::vector::{cross, direction, dot, length, recast};
+use crate::{Point, Point3, Scalar};
 
 /// How a surface bends at a point.
 ///
@@ -27,15 +27,21 @@ use crate::{Point3, Scalar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: Written, P::Vector: serde::Serialize",
+        deserialize = "P: Read<'de>, P::Vector: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Curvature<P: Point3> {
     /// The unit normal `S_u × S_v / |S_u × S_v|`.
-    pub normal: P,
+    pub normal: P::Vector,
     /// The principal curvatures, the larger one first, in the inverse of the unit of length.
     pub principal: [P::Scalar; 2],
     /// The unit tangents in whose directions the surface has the principal curvatures; they make a right angle. Where
     /// both curvatures are equal, at an umbilic, any pair of such directions.
-    pub directions: [P; 2],
+    pub directions: [P::Vector; 2],
 }
 
 impl<P: Point3> Curvature<P> {
@@ -51,7 +57,7 @@ impl<P: Point3> Curvature<P> {
 
     /// The curvature of the section with the plane spanned by the normal and that tangent direction, by Euler's formula
     /// `κ1 cos² φ + κ2 sin² φ`; `None` if the vector has no tangential part or is not finite.
-    pub fn along(&self, tangent: P) -> Option<P::Scalar> {
+    pub fn along(&self, tangent: P::Vector) -> Option<P::Scalar> {
         let tangent = direction(tangent)?;
         let [c, s] = self.directions.map(|e| dot(e, tangent));
         let (c2, s2) = (c * c, s * s);
@@ -61,7 +67,8 @@ impl<P: Point3> Curvature<P> {
     }
 
     /// From the partial derivatives `[i][j]`; `None` where the first ones are parallel or anything is not finite.
-    pub(crate) fn new(partials: &[[P; 3]; 3], normal: P) -> Option<Self> {
+    pub(crate) fn new(partials: &[[P; 3]; 3], normal: P::Vector) -> Option<Self> {
+        let partials = partials.map(|row| row.map(recast::<P, P::Vector>));
         let (along_u, along_v) = (partials[1][0], partials[0][1]);
         // In the orthonormal frame (e1, e2) of the tangent plane: S_u = (a, 0), S_v = (b, c).
         let e1 = direction(along_u)?;

@@ -1,8 +1,8 @@
 //! The two parameter directions and the four edges of a surface, and how smoothly two surfaces meet along one.
 
 use super::limit::rounding;
-use super::{ScalarOf, Surface};
-use crate::vector::{cross, direction, distance, dot, largest_component, length};
+use super::{ScalarOf, Surface, VectorOf};
+use crate::vector::{cross, direction, distance, dot, largest_component, length, recast};
 use crate::{Curvature, Point, Point3, Scalar};
 
 /// One of the two parameter directions of a surface.
@@ -258,8 +258,8 @@ fn conormal<A: Surface + ?Sized>(
     edge: Edge,
     u: ScalarOf<A>,
     v: ScalarOf<A>,
-    normal: A::Point,
-) -> Option<A::Point>
+    normal: VectorOf<A>,
+) -> Option<VectorOf<A>>
 where
     A::Point: Point3,
 {
@@ -273,6 +273,7 @@ where
     if largest_component(out) <= rounding(size.max(step)) {
         return None;
     }
+    let [along, out] = [along, out].map(recast::<A::Point, VectorOf<A>>);
     let perpendicular = direction(cross(direction(along)?, normal))?;
     let height = dot(perpendicular, direction(out)?);
     // Where the derivative across the edge vanishes up to rounding it has no side.

@@ -11,7 +11,7 @@
 //! factor, has one sign for all steps into the domain.
 
 use crate::binomial::row;
-use crate::vector::{cross, direction, dot, largest_component};
+use crate::vector::{cross, direction, dot, largest_component, recast};
 use crate::{Point, Point3, Scalar};
 
 /// Where a parameter lies in its range, which decides on the steps into the domain.
@@ -59,7 +59,7 @@ pub(crate) fn limit_normal<P: Point3, const K: usize>(
     partials: &[[P; K]; K],
     widths: [P::Scalar; 2],
     sides: [Side; 2],
-) -> Option<P> {
+) -> Option<P::Vector> {
     let coefficients = taylor(partials, widths)?;
     let (product, zero) = products(&coefficients);
     let orders = K - 1;
@@ -84,7 +84,7 @@ pub(crate) fn limit_normal<P: Point3, const K: usize>(
         heights[a] = dot(normal, vector);
     }
     let sign = sign_on_steps(&heights[..=lowest], [alpha, beta], sides)?;
-    Some(normal.scale(sign))
+    Some(recast(normal.scale(sign)))
 }
 
 /// The Taylor coefficients on the unit square, scaled so that the largest component is 1; `None` if one is not finite

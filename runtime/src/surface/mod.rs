@@ -33,7 +33,7 @@ pub use pieces::{BoundedSurface, SurfacePiece};
 pub use rational::{RationalPatchOf, RationalSurface};
 pub use tensor::TensorSurface;
 
-use crate::vector::{cross, direction, largest_component, safe_unit};
+use crate::vector::{cross, direction, largest_component, recast, safe_unit};
 use crate::{Point, Point3, Scalar};
 use limit::{Side, limit_normal, rounding};
 
@@ -143,7 +143,7 @@ pub trait Surface {
     /// # Ok(())
     /// # }
     /// ```
-    fn normal(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Option<Self::Point>
+    fn normal(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Option<VectorOf<Self>>
     where
         Self::Point: Point3,
     {
@@ -199,7 +199,7 @@ macro_rules! surface_behind {
                 (**self).eval_grid(us, vs, out);
             }
 
-            fn normal(&self, u: ScalarOf<T>, v: ScalarOf<T>) -> Option<T::Point>
+            fn normal(&self, u: ScalarOf<T>, v: ScalarOf<T>) -> Option<VectorOf<T>>
             where
                 T::Point: Point3,
             {
@@ -251,8 +251,11 @@ pub(crate) use partials_by_number;
 /// The scalar type of a surface.
 pub type ScalarOf<T> = <<T as Surface>::Point as Point>::Scalar;
 
+/// The type of the normals of a surface.
+pub type VectorOf<T> = <<T as Surface>::Point as Point>::Vector;
+
 /// The direction of `S_u × S_v`; `None` where it vanishes up to rounding errors, or is not finite.
-pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P> {
+pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P::Vector> {
     let (mut along_u, mut along_v) = (first[1][0].scale(widths[0]), first[0][1].scale(widths[1]));
     let [mut size, mut u_size, mut v_size] = [first[0][0], along_u, along_v].map(largest_component);
     size = [u_size, v_size].into_iter().fold(size, |a, b| if b > a { b } else { a });
@@ -263,5 +266,5 @@ pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar;
     }
     let product = cross(along_u, along_v);
     let error = rounding(size) * (u_size + v_size);
-    if largest_component(product) > error { direction(product) } else { None }
+    if largest_component(product) > error { direction(recast(product)) } else { None }
 }

@@ -6,7 +6,7 @@ use super::area::{self, Area};
 use super::bounds::largest_quotient;
 use super::nearest::{Piece, nearest_of_pieces};
 use super::net::Net;
-use super::{Direction, Edge, Isocurve, RationalSurface, ScalarOf, Surface, TensorSurface};
+use super::{Direction, Edge, Isocurve, RationalSurface, ScalarOf, Surface, TensorSurface, VectorOf};
 use crate::geometry::{SurfaceMeeting, of_line};
 use crate::vector::distance;
 use crate::{Basis, CurveError, Nearest, Point, Point3, Scalar, SurfaceOfRevolution};
@@ -298,7 +298,7 @@ pub trait BoundedSurface: Surface {
     fn ray_intersections(
         &self,
         origin: Self::Point,
-        direction: Self::Point,
+        direction: VectorOf<Self>,
         accuracy: ScalarOf<Self>,
     ) -> Option<Vec<SurfaceMeeting<Self::Point>>>
     where
@@ -312,7 +312,7 @@ pub trait BoundedSurface: Surface {
     fn line_intersections(
         &self,
         point: Self::Point,
-        direction: Self::Point,
+        direction: VectorOf<Self>,
         accuracy: ScalarOf<Self>,
     ) -> Option<Vec<SurfaceMeeting<Self::Point>>>
     where

@@ -79,6 +79,13 @@ where
         Self { numerator, weight }
     }
 
+    /// The surface over the same control points and weights with other shape values, the same in all rows.
+    #[must_use]
+    pub fn with_bases(&self, u_basis: U, v_basis: V) -> Self {
+        let (numerator, weight) = (&self.numerator, &self.weight);
+        Self::from_homogeneous(numerator.with_bases(u_basis, v_basis), weight.with_bases(u_basis, v_basis))
+    }
+
     /// The image under an affine map, with the same weights; control points at infinity go to infinity in the image of their
     /// direction.
     #[must_use]

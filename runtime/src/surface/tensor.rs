@@ -5,7 +5,7 @@ use core::fmt::{self, Debug, Formatter};
 use super::partials_by_number;
 use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
-use crate::{Array, Basis, Curve, Form, Point, Scalar, Surface};
+use crate::{Array, Basis, CountError, Curve, Form, Point, Scalar, Surface};
 
 /// The number of parameters in `v` that are evaluated together.
 const TILE: usize = 512;
@@ -58,6 +58,25 @@ where
     #[inline]
     pub fn new(u_basis: U, v_basis: V, net: U::Points<V::Points<P>>) -> Self {
         Self { u_basis, rows: U::Points::from_fn(|i| Curve::new(v_basis, net.as_ref()[i])) }
+    }
+
+    /// The same from the points of the net in a slice, row by row.
+    ///
+    /// # Errors
+    /// When the number of points is not the product of the numbers of functions.
+    pub fn from_slice(u_basis: U, v_basis: V, net: &[P]) -> Result<Self, CountError> {
+        let expected = U::LEN * V::LEN;
+        if net.len() != expected {
+            return Err(CountError::new(U::NAME, expected, net.len()));
+        }
+        let row = |i: usize| V::Points::from_fn(|j| net[i * V::LEN + j]);
+        Ok(Self::new(u_basis, v_basis, U::Points::from_fn(row)))
+    }
+
+    /// The surface over the same net with other shape values, the same in all rows.
+    #[must_use]
+    pub fn with_bases(&self, u_basis: U, v_basis: V) -> Self {
+        Self { u_basis, rows: U::Points::from_fn(|i| self.rows()[i].with_basis(v_basis)) }
     }
 
     /// The surface whose row `i` of the net has the family `v_bases[i]` in `v`.

@@ -134,3 +134,39 @@ proptest! {
         }
     }
 }
+
+/// The span that bisection finds, whatever the knots: even, nearly even, repeated, far apart, unclamped.
+#[test]
+fn spans_are_those_of_bisection() {
+    let even = |n: usize| (0..=n).map(|i| i as f64 / n as f64).collect::<Vec<f64>>();
+    let mut vectors = vec![KnotVector::uniform(3, 7).unwrap()];
+    for breakpoints in [
+        even(1),
+        even(3),
+        even(49),
+        even(1000),
+        vec![-1.0, 0.0, 1e-9, 0.5, 1.0, 1e9],
+        vec![0.1, 0.2, 0.3, 0.7, 0.8, 0.9],
+        vec![-1e300, 0.0, 1e300],
+    ] {
+        vectors.push(KnotVector::clamped(2, &breakpoints).unwrap());
+        vectors.push(KnotVector::periodic(2, &breakpoints).unwrap_or_else(|_| vectors[0].clone()));
+    }
+    vectors.push(KnotVector::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 4.0, 4.0, 4.0]).unwrap());
+    vectors.push(KnotVector::new(2, vec![0.0, 1.0, 2.0, 2.0, 3.0, 4.0, 4.0, 5.0, 6.0]).unwrap());
+    for knots in vectors {
+        let all = knots.as_slice();
+        let (k, n) = (knots.degree(), knots.functions());
+        let bisected = |t: f64| {
+            let span = k + all[k + 1..n].partition_point(|&knot| knot <= t);
+            let last = (k..=span).rev().find(|&span| all[span] < all[n]).unwrap_or(k);
+            (last..n).find(|&span| all[span + 1] > all[k]).unwrap_or(last)
+        };
+        let mut places: Vec<f64> = all.iter().flat_map(|&t| [t.next_down(), t, t.next_up()]).collect();
+        places.extend(all.windows(2).map(|pair| 0.5 * pair[0] + 0.5 * pair[1]));
+        places.extend([-1e308, 1e308, f64::INFINITY, f64::NEG_INFINITY, f64::NAN]);
+        for t in places {
+            assert_eq!(knots.span(t), bisected(t), "{t} in {all:?}");
+        }
+    }
+}

@@ -3,7 +3,7 @@
 use basis_runtime::bspline::{BSplineCurve, KnotVector, NurbsCurve};
 use basis_runtime::{
     BernsteinBasis, Bezier, Contact, Curve, CurveError, Isocurve, JoinableCurve, ParametricCurve, Path,
-    PiecewiseCurve, RationalBezier, SurfaceOfRevolution,
+    PiecewiseCurve, RationalBezier, RationalSpline, SurfaceOfRevolution,
 };
 
 use crate::queries::{distance, nurbs};
@@ -89,6 +89,9 @@ fn every_type_after_every_type() {
         let (clamped, periodic) = (spline(random, false), spline(random, true));
         let rational_spline = nurbs(random);
         let path = Path::from_curve(&rational);
+        let mut mixed = Path::from_curve(&bezier);
+        mixed.append(&rational);
+        let spans = RationalSpline::new([rational.clone(), moved.clone()]).unwrap();
         let generatrix = Bezier::from_points([[0.0, 1.0], [1.0, 2.5], [3.0, 1.0]]);
         let vase = SurfaceOfRevolution::about_x(&generatrix, 5.0).unwrap();
         let circle = Isocurve::new(&vase, basis_runtime::Direction::U, 0.4);
@@ -101,6 +104,9 @@ fn every_type_after_every_type() {
             joined(first, &clamped, random);
             joined(first, &periodic, random);
             joined(first, &rational_spline, random);
+            joined(first, &path, random);
+            joined(first, &mixed, random);
+            joined(first, &spans, random);
         }
     }
 }

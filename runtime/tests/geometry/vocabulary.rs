@@ -89,7 +89,7 @@ macro_rules! ask_curve {
     }};
     ($space:expr, $plane:expr) => {
         ask_curve!($space, $plane,
-            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed();
+            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed(); map(|p| p);
             continued(Contact::Tangent { f: 1.0 }, &arch(|p| p)); preceded(Contact::Tangent { f: 1.0 }, &arch(|p| p));)
     };
 }
@@ -112,12 +112,12 @@ macro_rules! ask_surface {
     ($surface:expr) => {
         ask_surface!($surface,
             eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd);
-            split(Direction::U, 0.5); subpatch(0.75..0.25, 0.25..0.5); reversed(Direction::V);)
+            split(Direction::U, 0.5); subpatch(0.75..0.25, 0.25..0.5); reversed(Direction::V); map(|p| p);)
     };
 }
 
 /// The queries that are neither of a trait.
-const PARTS: [&str; 4] = ["split", "subpatch", "reversed", "with"];
+const PARTS: [&str; 5] = ["split", "subpatch", "reversed", "with", "map"];
 
 fn plane_patch() -> BSplineSurface<[f64; 3]> {
     BSplineSurface::from_bezier(Net::from_fn(2, 2, |i, j| [i as f64, j as f64, 0.5]).unwrap()).unwrap()
@@ -141,7 +141,8 @@ fn of_curves() {
     let surface = plane_patch();
     let isocurve = Isocurve::new(&surface, Direction::U, 0.5);
     // Types without a column answer all as well.
-    let _ = (ask_curve!(&path, &flat), ask_curve!(&rational, &rational_plane), ask_curve!(&isocurve, &flat));
+    let _ = (ask_curve!(&path, &flat), ask_curve!(&rational, &rational_plane));
+    let _ = ask_curve!(&isocurve, &flat, samples(3); eval_with_derivs::<3>(0.3); split(0.3); reversed(););
     let asked = [
         ("`Curve`", ask_curve!(space, plane)),
         ("`PiecewiseCurve`", ask_curve!(PiecewiseCurve::from(space), PiecewiseCurve::from(plane))),
@@ -156,7 +157,7 @@ fn of_curves() {
     agree(
         "| a curve's",
         &[(include_str!("../../src/geometry/parametric.rs"), "ParametricCurve")],
-        &[],
+        &["map"],
         &asked,
     );
 }

@@ -186,11 +186,19 @@ const PIECEWISE: &[Case<Piecewise>] = &[
         c.push(c.segments()[0]);
         c.segments().len() == 3
     }),
-    ("append", |c, a, b| {
+    ("push_after", |c, a, b| {
         let mut c = c.clone();
-        let added =
-            c.append(QuarticBernstein::new(0.0).unwrap(), Contact::Curvature { f: a, c: b }, [[1.0; 3]; 4]);
+        let added = c.push_after(
+            QuarticBernstein::new(0.0).unwrap(),
+            Contact::Curvature { f: a, c: b },
+            [[1.0; 3]; 4],
+        );
         c.segments().len() == 2 + usize::from(added.is_ok())
+    }),
+    ("append", |c, _, _| {
+        let mut twice = c.clone();
+        twice.append(c);
+        twice.domain() == [0.0, 4.0]
     }),
     ("segments", |c, _, _| c.segments().len() == 2),
     ("domain", |c, _, _| c.domain() == [0.0, 2.0]),

@@ -78,6 +78,14 @@ const TENSOR: &[Case<Tensor>] = &[
         let other = TensorSurface::with_rows(s.u_basis(), shapes, [[[a; 3]; 4]; 4]);
         !a.is_nan() || is_nan(other.eval(0.5, 0.5))
     }),
+    ("from_slice", |s, a, _| {
+        let surface = |points: &[P]| TensorSurface::from_slice(s.u_basis(), quartic(0.5), points);
+        surface(&[[a; 3]; 15]).is_err() && surface(&[]).is_err() && surface(&[[a; 3]; 16]).is_ok()
+    }),
+    ("with_bases", |s, a, b| {
+        let other = s.with_bases(quartic(1.0), quartic(-3.0));
+        any(&other, a, b) && other.rows().iter().all(|row| row.basis() == quartic(-3.0))
+    }),
     ("u_basis", |s, _, _| s.u_basis() == quartic(0.5)),
     ("rows", |s, _, _| s.rows().len() == 4),
     ("control_point", |s, _, _| {
@@ -203,9 +211,13 @@ const REVOLVED: &[Case<Revolved>] = &[
             && other.is_ok_and(|t| t.angle() == a)
                 == (a > 0.0 && a <= 2.0 * core::f64::consts::PI && b.is_finite())
     }),
+    ("map", |s, a, b| {
+        let image = s.map(|[x, y, z]| [x * a, y * a, z * b + a]);
+        image.map_or(true, |t| any(&t, a, b) && t.angle() == s.angle())
+    }),
     ("angle", |s, _, _| s.angle() == 4.0),
     ("generatrix", |s, _, _| s.generatrix().control_points().len() == 4),
-    ("axis", |s, _, _| is_unit(s.axis()[1])),
+    ("axis", |s, _, _| is_unit(s.axis().1)),
     ("is_closed", |s, _, _| !s.is_closed()),
     ("meridian", |s, a, b| {
         !a.is_nan() || is_nan(s.meridian(a).eval(b)) || !b.is_nan() || !is_finite(s.eval(0.5, 1.0))
@@ -256,6 +268,7 @@ const OTHERS: &[&str] = &[
     "mesh",
     "longest_edge",
     "largest_angle",
+    "largest_aspect",
     "write_obj",
     "write_stl",
     "write_gltf",

@@ -8,7 +8,7 @@ pub mod shapes;
 mod tests {
     use basis_runtime::{BoxPatch, Contact, Curve, SimplexPatch};
 
-    use crate::shapes::{Bell, Sheet, Tent, smooth};
+    use crate::shapes::{Bell, Sheet, SmoothScalars, Tent, smooth};
 
     #[test]
     fn a_curve_is_evaluated_and_continued() {
@@ -17,7 +17,8 @@ mod tests {
         assert!(Bell::new(1.5).is_err());
         let bell = Bell::new(0.5).expect("inside the range");
         let first = Curve::new(bell, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0]]);
-        let points = smooth(&[[0.0, 0.0], [1.0, 2.0], [3.0, 2.0]], 0.5, 0.5, 2.0).expect("finite");
+        let scalars = SmoothScalars { mu1: 0.5, mu2: 0.5, delta: 2.0 };
+        let points = smooth(&[[0.0, 0.0], [1.0, 2.0], [3.0, 2.0]], scalars).expect("finite");
         assert_eq!(points, [[3.0, 2.0], [4.0, 2.0]]);
         let free = [[0.0, 0.0], [0.0, 0.0], [7.0, 1.0]];
         let next = bell.curve_after(&first, Contact::Tangent { f: 2.0 }, free).expect("finite");

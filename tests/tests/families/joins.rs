@@ -62,7 +62,7 @@ fn net(random: &mut Random) -> Net {
 #[test]
 fn no_name_of_a_spec_is_taken_for_a_local_of_the_function() {
     let (x1, x0, c0, r0) = (1.0, 4.0, 9.0, 7.0); // nothing is rounded
-    let points = joins::named(&[0.0, 0.0, 7.0, 2.0], x1, x0, c0, r0).unwrap();
+    let points = joins::named(&[0.0, 0.0, 7.0, 2.0], joins::NamedScalars { x1, x0, c0, r0 }).unwrap();
     assert_eq!(points, [2.0, 7.0 * ((2.0 + x0) * (1.0 + c0) / ((3.0 + x1) * (5.0 + r0 + x0)))]);
 }
 
@@ -73,7 +73,7 @@ fn curves_join_with_a_common_tangent() {
         let (l1, l2): (f64, f64) = (random.between(-1.9, 1.0), random.between(-1.9, 1.0));
         let delta = random.between(0.1, 10.0);
         let p: [[f64; 3]; 3] = core::array::from_fn(|_| point(&mut random));
-        let [q0, q1] = quadratic::g1(&p, l1, l2, delta).unwrap();
+        let [q0, q1] = quadratic::g1(&p, quadratic::G1Scalars { lambda1: l1, lambda2: l2, delta }).unwrap();
         let first = Curve::new(QuadraticBezier::new(l1).unwrap(), p);
         let next = Curve::new(QuadraticBezier::new(l2).unwrap(), [q0, q1, point(&mut random)]);
         let joint = first.joint(&next);
@@ -92,7 +92,7 @@ fn curves_join_with_a_common_curvature() {
         let (l1, l2): (f64, f64) = (random.between(-1.5, 0.9), random.between(-1.5, 0.9));
         let (delta, c) = (random.between(0.5, 2.0), random.between(-3.0, 3.0));
         let p: [[f64; 3]; 3] = core::array::from_fn(|_| point(&mut random));
-        let q = quadratic::g2(&p, l1, l2, delta, c).unwrap();
+        let q = quadratic::g2(&p, quadratic::G2Scalars { lambda1: l1, lambda2: l2, delta, c }).unwrap();
         let first = Curve::new(QuadraticBezier::new(l1).unwrap(), p);
         let next = Curve::new(QuadraticBezier::new(l2).unwrap(), q);
         let joint = first.joint(&next);
@@ -104,8 +104,10 @@ fn curves_join_with_a_common_curvature() {
     }
     // δ = 1 and c = 0 give C2.
     let p = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [3.0, 1.0, 1.0]];
-    let next =
-        Curve::new(QuadraticBezier::new(0.25).unwrap(), quadratic::g2(&p, 0.5, 0.25, 1.0, 0.0).unwrap());
+    let next = Curve::new(
+        QuadraticBezier::new(0.25).unwrap(),
+        quadratic::g2(&p, quadratic::G2Scalars { lambda1: 0.5, lambda2: 0.25, delta: 1.0, c: 0.0 }).unwrap(),
+    );
     let joint = Curve::new(QuadraticBezier::new(0.5).unwrap(), p).joint(&next);
     assert_eq!(joint.parametric_order(1e-15, [1e-14, 1e-13, 0.0]), Some(2));
 }
@@ -113,7 +115,10 @@ fn curves_join_with_a_common_curvature() {
 #[test]
 fn an_assumption_that_fails_is_an_error() {
     let p = [[0.0_f64, 0.0], [1.0, 2.0], [3.0, 1.0]];
-    let refused = |l1: f64, l2: f64, delta: f64| match quadratic::g1(&p, l1, l2, delta) {
+    let refused = |l1: f64, l2: f64, delta: f64| match quadratic::g1(
+        &p,
+        quadratic::G1Scalars { lambda1: l1, lambda2: l2, delta },
+    ) {
         Err(CurveError::Shape(error)) => (error.parameter(), error.range()),
         other => panic!("{other:?}"),
     };
@@ -125,7 +130,8 @@ fn an_assumption_that_fails_is_an_error() {
     assert_eq!(refused(0.5, -2.0, 1.0), ("λ2", "-2 < λ2 <= 1"));
     assert_eq!(refused(0.5, 1.5, 1.0), ("λ2", "-2 < λ2 <= 1"));
     // At λ = 1 the second derivative at the start does not depend on the last point.
-    let error = quadratic::g2(&p, 0.5, 1.0, 1.0, 0.0).unwrap_err();
+    let error = quadratic::g2(&p, quadratic::G2Scalars { lambda1: 0.5, lambda2: 1.0, delta: 1.0, c: 0.0 })
+        .unwrap_err();
     assert_eq!(error.to_string(), "G2: λ2 = 1 is outside the declared range -2 < λ2 < 1");
 }
 
@@ -133,24 +139,48 @@ fn an_assumption_that_fails_is_an_error() {
 fn points_that_are_not_finite_are_an_error() {
     let p = [[0.0_f64, 0.0], [1.0, 2.0], [3.0, 1.0]];
     // The reciprocal of the smallest number is infinite, and so is that of a square.
-    assert_eq!(quadratic::g1(&p, 0.5, 0.5, 5e-324), Err(CurveError::NotFinite));
-    assert_eq!(quadratic::g2(&p, 0.5, 0.5, 1e-200, 0.0), Err(CurveError::NotFinite));
-    assert_eq!(quadratic::g2(&p, 0.5, 0.5, 1.0, 1e308), Err(CurveError::NotFinite));
     assert_eq!(
-        quadratic::g1(&[[0.0, 0.0], [1.0, f64::NAN], [3.0, 1.0]], 0.5, 0.5, 1.0),
+        quadratic::g1(&p, quadratic::G1Scalars { lambda1: 0.5, lambda2: 0.5, delta: 5e-324 }),
+        Err(CurveError::NotFinite)
+    );
+    assert_eq!(
+        quadratic::g2(&p, quadratic::G2Scalars { lambda1: 0.5, lambda2: 0.5, delta: 1e-200, c: 0.0 }),
+        Err(CurveError::NotFinite)
+    );
+    assert_eq!(
+        quadratic::g2(&p, quadratic::G2Scalars { lambda1: 0.5, lambda2: 0.5, delta: 1.0, c: 1e308 }),
+        Err(CurveError::NotFinite)
+    );
+    assert_eq!(
+        quadratic::g1(
+            &[[0.0, 0.0], [1.0, f64::NAN], [3.0, 1.0]],
+            quadratic::G1Scalars { lambda1: 0.5, lambda2: 0.5, delta: 1.0 }
+        ),
         Err(CurveError::NotFinite)
     );
     let surface = [[[0.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0], [0.0, 3.0, 0.0]]; 4];
-    assert_eq!(quartic_surface::g1_uu(&surface, [0.5; 4], [0.5; 4], 1e-310), Err(CurveError::NotFinite));
+    assert_eq!(
+        quartic_surface::g1_uu(
+            &surface,
+            quartic_surface::G1UuScalars { gamma1: [0.5; 4], gamma2: [0.5; 4], f: 1e-310 }
+        ),
+        Err(CurveError::NotFinite)
+    );
     // A small δ alone is no error.
-    assert!(quadratic::g1(&p, 0.5, 0.5, 1e-300).is_ok());
+    assert!(quadratic::g1(&p, quadratic::G1Scalars { lambda1: 0.5, lambda2: 0.5, delta: 1e-300 }).is_ok());
 }
 
 #[test]
 fn single_precision_and_numbers_are_points_too() {
     let p = [[0.0_f32, 0.0], [1.0, 2.0], [3.0, 1.0]];
-    assert_eq!(quadratic::g1(&p, 0.5, -1.0, 2.5), Ok([[3.0, 1.0], [5.0, 0.0]]));
-    assert_eq!(quadratic::g1(&[0.0, 1.0, 3.0], 0.5, -1.0, 2.5), Ok([3.0, 5.0]));
+    assert_eq!(
+        quadratic::g1(&p, quadratic::G1Scalars { lambda1: 0.5, lambda2: -1.0, delta: 2.5 }),
+        Ok([[3.0, 1.0], [5.0, 0.0]])
+    );
+    assert_eq!(
+        quadratic::g1(&[0.0, 1.0, 3.0], quadratic::G1Scalars { lambda1: 0.5, lambda2: -1.0, delta: 2.5 }),
+        Ok([3.0, 5.0])
+    );
 }
 
 /// Shape values of the rows of a net.
@@ -182,7 +212,8 @@ fn surfaces_join_u_u() {
         let (lambda, g1, g2) = (random.between(-2.5, 1.0), rows(&mut random), rows(&mut random));
         let f = random.between(0.5, 2.0);
         let first = surface(lambda, g1, &s);
-        let tangents = quartic_surface::g1_uu(&s, g1, g2, f).unwrap();
+        let tangents =
+            quartic_surface::g1_uu(&s, quartic_surface::G1UuScalars { gamma1: g1, gamma2: g2, f }).unwrap();
         for (row, new) in t.iter_mut().zip(tangents) {
             row[..2].copy_from_slice(&new);
         }
@@ -190,7 +221,8 @@ fn surfaces_join_u_u() {
         let joint = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
         assert_eq!(measured(joint), (Some(1), true), "{joint:?}");
         // The published steps: everything but the last column.
-        let steps = quartic_surface::g2_uu(&s, g1, g2, f).unwrap();
+        let steps =
+            quartic_surface::g2_uu(&s, quartic_surface::G2UuScalars { gamma1: g1, gamma2: g2, f }).unwrap();
         for (row, new) in t.iter_mut().zip(steps) {
             row[..3].copy_from_slice(&new);
         }
@@ -209,12 +241,16 @@ fn surfaces_join_u_v_with_opposite_normals() {
         let f = random.between(0.5, 2.0);
         let first = surface(l1, g1, &s);
         let gamma = [l1, l1, random.between(-2.5, 1.0), random.between(-2.5, 1.0)];
-        t[..2].copy_from_slice(&quartic_surface::g1_uv(&s, g1, l2, f).unwrap());
+        t[..2].copy_from_slice(
+            &quartic_surface::g1_uv(&s, quartic_surface::G1UvScalars { gamma1: g1, lambda2: l2, f }).unwrap(),
+        );
         let joint =
             edge_continuity(&first, &surface(l2, gamma, &t), EdgePair::along(Edge::VEnd, Edge::UStart), 33);
         assert_eq!(measured(joint), (Some(1), false), "{joint:?}");
         let gamma = [l1, l1, l1, random.between(-2.5, 1.0)];
-        t[..3].copy_from_slice(&quartic_surface::g2_uv(&s, g1, l2, f).unwrap());
+        t[..3].copy_from_slice(
+            &quartic_surface::g2_uv(&s, quartic_surface::G2UvScalars { gamma1: g1, lambda2: l2, f }).unwrap(),
+        );
         let joint =
             edge_continuity(&first, &surface(l2, gamma, &t), EdgePair::along(Edge::VEnd, Edge::UStart), 33);
         assert_eq!(measured(joint), (Some(2), false), "{joint:?}");
@@ -230,11 +266,17 @@ fn surfaces_join_v_v() {
         let (f, free, other) =
             (random.between(0.5, 2.0), random.between(-3.0, 1.0), random.between(-3.0, 1.0));
         let first = surface(l1, [free, eta, eta, eta], &s);
-        t[..2].copy_from_slice(&quartic_surface::g1_vv(&s, l1, l2, f).unwrap());
+        t[..2].copy_from_slice(
+            &quartic_surface::g1_vv(&s, quartic_surface::G1VvScalars { lambda1: l1, lambda2: l2, f })
+                .unwrap(),
+        );
         let next = surface(l2, [eta, eta, other, other], &t);
         let joint = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
         assert_eq!(measured(joint), (Some(1), true), "{joint:?}");
-        t[..3].copy_from_slice(&quartic_surface::g2_vv(&s, l1, l2, f).unwrap());
+        t[..3].copy_from_slice(
+            &quartic_surface::g2_vv(&s, quartic_surface::G2VvScalars { lambda1: l1, lambda2: l2, f })
+                .unwrap(),
+        );
         let next = surface(l2, [eta, eta, eta, other], &t);
         let joint = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
         assert_eq!(measured(joint), (Some(2), true), "{joint:?}");
@@ -300,7 +342,10 @@ fn the_scalars_of_a_contact_are_those_that_were_asked_for() {
         let (l1, l2) = (random.between(-1.5, 0.9), random.between(-1.5, 0.9));
         let p = [p[0], p[1], p[2]];
         let first = Curve::new(QuadraticBezier::new(l1).unwrap(), p);
-        let next = Curve::new(QuadraticBezier::new(l2).unwrap(), quadratic::g2(&p, l1, l2, f, c).unwrap());
+        let next = Curve::new(
+            QuadraticBezier::new(l2).unwrap(),
+            quadratic::g2(&p, quadratic::G2Scalars { lambda1: l1, lambda2: l2, delta: f, c }).unwrap(),
+        );
         let joined = missed(first.eval_with_derivs(1.0), next.eval_with_derivs(0.0), f, c);
         assert!(joined.into_iter().all(|x| x < 1e-12), "{joined:?}");
     }

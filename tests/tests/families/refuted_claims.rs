@@ -226,7 +226,8 @@ fn quart_t6() {
     let (s, mut t) = (net(&mut random), net(&mut random));
     let (l1, l2, eta, f) = (0.5, -1.0, -0.5, 0.8);
     let first = surface(l1, [0.0, eta, eta, eta], &s);
-    let rows = quartic_surface::g2_vv(&s, l1, l2, f).unwrap();
+    let rows =
+        quartic_surface::g2_vv(&s, quartic_surface::G2VvScalars { lambda1: l1, lambda2: l2, f }).unwrap();
     t[..3].copy_from_slice(&rows);
     let joined = |t: &Net| order(&first, Edge::UEnd, &surface(l2, [eta, eta, eta, 0.0], t), Edge::UStart);
     assert_eq!(joined(&t), Some(2));
@@ -261,7 +262,9 @@ fn quart_adj_uu() {
     let mut random = Random::new(7);
     let (s, mut t) = (net(&mut random), net(&mut random));
     let (g1, g2) = ([0.5, -1.0, 0.25, -2.0], [0.0, 0.5, -0.5, 1.0]);
-    for (row, new) in t.iter_mut().zip(quartic_surface::g2_uu(&s, g1, g2, 1.25).unwrap()) {
+    for (row, new) in t.iter_mut().zip(
+        quartic_surface::g2_uu(&s, quartic_surface::G2UuScalars { gamma1: g1, gamma2: g2, f: 1.25 }).unwrap(),
+    ) {
         row[..3].copy_from_slice(&new);
     }
     let joined = |[l1, l2]: [f64; 2], g1, g2| {
@@ -288,7 +291,10 @@ fn quart_adj_uv() {
     let mut random = Random::new(8);
     let (s, mut t) = (net(&mut random), net(&mut random));
     let (g1, l2, eta) = ([0.5, -1.0, 0.25, -2.0], -0.5, 0.75);
-    t[..3].copy_from_slice(&quartic_surface::g2_uv(&s, g1, l2, 1.25).unwrap());
+    t[..3].copy_from_slice(
+        &quartic_surface::g2_uv(&s, quartic_surface::G2UvScalars { gamma1: g1, lambda2: l2, f: 1.25 })
+            .unwrap(),
+    );
     let joined = |l1, g1, l2, g2| order(&surface(l1, g1, &s), Edge::VEnd, &surface(l2, g2, &t), Edge::UStart);
     let g2 = |eta| [eta, eta, eta, -1.0];
     let factor = |k: f64| g1.map(|g| times(k, g));
@@ -313,7 +319,10 @@ fn quart_adj_vv() {
     let mut random = Random::new(9);
     let (s, mut t) = (net(&mut random), net(&mut random));
     let (l1, l2, eta) = (0.5, -1.0, -0.5);
-    t[..3].copy_from_slice(&quartic_surface::g2_vv(&s, l1, l2, 0.8).unwrap());
+    t[..3].copy_from_slice(
+        &quartic_surface::g2_vv(&s, quartic_surface::G2VvScalars { lambda1: l1, lambda2: l2, f: 0.8 })
+            .unwrap(),
+    );
     let joined = |l1, g1, l2, g2| order(&surface(l1, g1, &s), Edge::UEnd, &surface(l2, g2, &t), Edge::UStart);
     let (g1, g2) = (|eta| [1.0, eta, eta, eta], |eta| [eta, eta, eta, -2.0]);
     assert_eq!(joined(l1, g1(eta), l2, g2(eta)), Some(2));

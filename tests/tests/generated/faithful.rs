@@ -232,9 +232,17 @@ fn joins<S: Scalar + Number>(
 fn steps_do_what_compiled_joins_do() {
     fn both<S: Scalar + Number>() {
         let random = &mut Random::new(75);
-        let g1 = |p: &[S; 3], x: &[S]| quadratic::g1(p, x[0], x[1], x[2]).expect("finite").to_vec();
+        let g1 = |p: &[S; 3], x: &[S]| {
+            quadratic::g1(p, quadratic::G1Scalars { lambda1: x[0], lambda2: x[1], delta: x[2] })
+                .expect("finite")
+                .to_vec()
+        };
         joins("G1", &["λ1", "λ2", "δ"], g1, random);
-        let g2 = |p: &[S; 3], x: &[S]| quadratic::g2(p, x[0], x[1], x[2], x[3]).expect("finite").to_vec();
+        let g2 = |p: &[S; 3], x: &[S]| {
+            quadratic::g2(p, quadratic::G2Scalars { lambda1: x[0], lambda2: x[1], delta: x[2], c: x[3] })
+                .expect("finite")
+                .to_vec()
+        };
         joins("G2", &["λ1", "λ2", "δ", "c"], g2, random);
     }
     if comparable() {

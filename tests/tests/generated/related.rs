@@ -26,9 +26,11 @@ fn constructors_refuse_shape_values_that_are_not_assumed() {
 #[test]
 fn joins_refuse_scalars_that_are_not_related_as_assumed() {
     let p = [[0.0, 0.0], [1.0, 0.0], [2.0, 1.0], [3.0, 3.0]];
-    let points = related_scalars::scaled(&p, 2.0, 1.0).expect("1 <= 2");
+    let scaled =
+        |delta: f64, e: f64| related_scalars::scaled(&p, related_scalars::ScaledScalars { delta, e });
+    let points = scaled(2.0, 1.0).expect("1 <= 2");
     assert_eq!(points, [[3.0, 3.0], [3.5, 4.0]]);
-    assert!(matches!(related_scalars::scaled(&p, 1.0, 2.0), Err(CurveError::Shape(_))));
+    assert!(matches!(scaled(1.0, 2.0), Err(CurveError::Shape(_))));
 }
 
 #[test]

@@ -55,7 +55,7 @@ fn curves() {
 #[test]
 fn curves_of_several_segments() {
     let mut curve = PiecewiseCurve::from(quartic());
-    curve.append(QuarticBernstein::new(-1.0).unwrap(), Contact::Tangent { f: 0.75 }, POINTS).unwrap();
+    curve.push_after(QuarticBernstein::new(-1.0).unwrap(), Contact::Tangent { f: 0.75 }, POINTS).unwrap();
     let text = serde_json::to_string(&curve).unwrap();
     assert_eq!(serde_json::from_str::<PiecewiseCurve<QuarticBernstein, [f64; 2]>>(&text).unwrap(), curve);
     assert!(serde_json::from_str::<PiecewiseCurve<QuarticBernstein, [f64; 2]>>("[]").is_err());

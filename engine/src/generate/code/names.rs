@@ -96,6 +96,17 @@ pub(in crate::generate) fn function(name: &str) -> Option<Ident> {
     ident(&snake(name))
 }
 
+/// `g1_surface_uu` as the first part of the name of a type, `G1SurfaceUu`.
+#[cfg(feature = "joins")]
+pub(in crate::generate) fn camel(function: &str) -> String {
+    let word = |word: &str| {
+        let mut letters = word.chars();
+        let first = letters.next().map(|c| c.to_ascii_uppercase());
+        first.into_iter().chain(letters).collect::<String>()
+    };
+    function.split('_').map(word).collect()
+}
+
 /// A name of the spec as that of an argument: `λ1` becomes `lambda1`, `P[1]` becomes `p_1`.
 #[cfg(feature = "joins")]
 pub(in crate::generate) fn argument(name: &str) -> Option<Ident> {

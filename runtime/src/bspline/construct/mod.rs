@@ -9,7 +9,7 @@ pub use error::ConstructionError;
 
 use super::fit::{averaged, parameters_of_rows};
 use super::{BSplineCurve, BSplineSurface, Direction, KnotVector, Net, Spacing};
-use crate::vector::distance;
+use crate::vector::{distance, recast};
 use crate::{Frame, ParametricCurve, Point, Point3, Scalar};
 
 /// More sections of a sweep are refused.
@@ -29,7 +29,8 @@ impl<P: Point> BSplineSurface<P> {
     ///
     /// # Errors
     /// None is expected but for memory.
-    pub fn extruded(curve: &BSplineCurve<P>, along: P) -> Result<Self, ConstructionError> {
+    pub fn extruded(curve: &BSplineCurve<P>, along: P::Vector) -> Result<Self, ConstructionError> {
+        let along = recast(along);
         let rows = curve.control_points().iter().map(|&p| [p, p.add_scaled(along, P::Scalar::ONE)]);
         Ok(Self::new(curve.knots().clone(), KnotVector::uniform(1, 1)?, Net::from_rows(rows)?)?)
     }
@@ -171,7 +172,7 @@ impl<P: Point3> BSplineSurface<P> {
         profile: &BSplineCurve<P>,
         path: &(impl ParametricCurve<Point = P> + ?Sized),
         count: usize,
-        normal: Option<P>,
+        normal: Option<P::Vector>,
     ) -> Result<Self, ConstructionError> {
         sweep(path, count, normal, |frame| profile.map(|p| placed(frame, p)), Self::lofted)
     }
@@ -181,7 +182,7 @@ impl<P: Point3> BSplineSurface<P> {
 fn sweep<P: Point3, C, T>(
     path: &(impl ParametricCurve<Point = P> + ?Sized),
     count: usize,
-    normal: Option<P>,
+    normal: Option<P::Vector>,
     section: impl Fn(&Frame<P>) -> C,
     loft: impl FnOnce(&[C], usize, Spacing) -> Result<T, ConstructionError>,
 ) -> Result<T, ConstructionError> {
@@ -196,8 +197,9 @@ fn sweep<P: Point3, C, T>(
 
 /// The point with these coordinates in a frame.
 fn placed<P: Point3>(frame: &Frame<P>, p: P) -> P {
-    let along_normal = frame.point.add_scaled(frame.normal, p.component(0));
-    along_normal.add_scaled(frame.binormal, p.component(1)).add_scaled(frame.tangent, p.component(2))
+    let [normal, binormal, tangent] = [frame.normal, frame.binormal, frame.tangent].map(recast::<_, P>);
+    let along_normal = frame.point.add_scaled(normal, p.component(0));
+    along_normal.add_scaled(binormal, p.component(1)).add_scaled(tangent, p.component(2))
 }
 
 /// The control points of curves over one knot vector, those of a curve as a column.

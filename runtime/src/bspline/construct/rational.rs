@@ -8,6 +8,7 @@ use super::super::{
     SplineError,
 };
 use super::{ConstructionError, compatible, grid, placed, sweep};
+use crate::vector::recast;
 use crate::{ParametricCurve, Point, Point3, Scalar};
 
 /// How often the boundary curves of a Coons surface are refined until all weights are positive.
@@ -19,7 +20,8 @@ impl<P: Point> NurbsSurface<P> {
     ///
     /// # Errors
     /// As [`BSplineSurface::extruded`].
-    pub fn extruded(curve: &NurbsCurve<P>, along: P) -> Result<Self, ConstructionError> {
+    pub fn extruded(curve: &NurbsCurve<P>, along: P::Vector) -> Result<Self, ConstructionError> {
+        let along = recast(along);
         let rows = curve.homogeneous().control_points().iter().map(|&p| {
             let scaled = p.scaled.add_scaled(along, p.weight);
             [p, Homogeneous { scaled, weight: p.weight }]
@@ -131,7 +133,7 @@ impl<P: Point3> NurbsSurface<P> {
         profile: &NurbsCurve<P>,
         path: &(impl ParametricCurve<Point = P> + ?Sized),
         count: usize,
-        normal: Option<P>,
+        normal: Option<P::Vector>,
     ) -> Result<Self, ConstructionError> {
         sweep(path, count, normal, |frame| profile.map(|p| placed(frame, p)), Self::lofted)
     }

@@ -22,7 +22,7 @@ use crate::{Basis, BernsteinOf, Contact, Curve, CurveError, Joint, Point, Scalar
 /// let first = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
 /// let mut curve = PiecewiseCurve::from(first);
 /// let free = [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [8.0, 1.0]]; // the first three will be replaced
-/// curve.append(QuarticBernstein::new(0.0)?, Contact::Curvature { f: 1.0, c: 0.0 }, free)?;
+/// curve.push_after(QuarticBernstein::new(0.0)?, Contact::Curvature { f: 1.0, c: 0.0 }, free)?;
 ///
 /// assert_eq!(curve.eval(1.0), [4.0, 0.0]);
 /// let [joint] = curve.joints().try_into().unwrap();
@@ -61,7 +61,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
     ///
     /// # Errors
     /// Those of [`Basis::curve_after`]; the curve is then unchanged.
-    pub fn append(
+    pub fn push_after(
         &mut self,
         basis: B,
         contact: Contact<B::Scalar>,
@@ -70,6 +70,11 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         let next = basis.curve_after(self.last(), contact, points)?;
         self.segments.push(next);
         Ok(())
+    }
+
+    /// Adds the segments of another curve to the end. If it does not begin where this one ends, the curve jumps there.
+    pub fn append(&mut self, other: &Self) {
+        self.segments.extend_from_slice(&other.segments);
     }
 
     /// The segments.

@@ -112,7 +112,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
     }
 
     /// The unit vector in which the curve goes on at `u`; see [`Curve::tangent`](crate::Curve::tangent).
-    pub fn tangent(&self, u: B::Scalar) -> Option<P> {
+    pub fn tangent(&self, u: B::Scalar) -> Option<P::Vector> {
         let (index, t) = self.locate(u);
         self.segments[index].tangent(t)
     }

@@ -69,3 +69,53 @@ fn nalgebra_vectors_and_points() {
     let curve = Curve::new(QuarticBernstein::new(-2.0).unwrap(), [p0, p1, p2, p3]);
     assert_eq!(curve.eval(1.0), p3);
 }
+
+/// Where points and vectors are two types, directions are vectors, and the same as those of arrays.
+#[test]
+#[cfg(all(feature = "nalgebra", feature = "bspline"))]
+fn directions_of_points_are_vectors() {
+    use basis_runtime::bspline::{BSplineCurve, BSplineSurface};
+    use basis_runtime::{
+        Bezier, BoundedSurface, Frame, ParametricCurve, RevolutionError, Surface, SurfaceOfRevolution,
+    };
+    use nalgebra::{Point3, Rotation3, Vector3};
+
+    let arrays = Bezier::from_points([[0.0, 1.0, 0.0], [1.0, 2.0, 0.5], [3.0, 1.0, -1.0], [4.0, 3.0, 2.0]]);
+    let curve = arrays.map(Point3::from);
+    let tangent: Vector3<f64> = curve.tangent(0.3).unwrap();
+    assert_eq!(tangent, Vector3::from(arrays.tangent(0.3).unwrap()));
+    let frame: Frame<Point3<f64>> = curve.frenet_frame(0.3).unwrap();
+    let expected = arrays.frenet_frame(0.3).unwrap();
+    assert_eq!((frame.point, frame.normal), (expected.point.into(), expected.normal.into()));
+    let first: Frame<Point3<f64>> = curve.rotation_minimizing_frames(3, Some(Vector3::z())).unwrap()[0];
+    assert!(first.normal.dot(&first.tangent).abs() < 1e-15);
+    let found = curve.plane_intersections(Point3::new(2.0, 0.0, 0.0), Vector3::x()).unwrap();
+    assert!((found[0].point.x - 2.0).abs() < 1e-14);
+
+    let axis = Vector3::new(0.0, 0.0, 2.0);
+    let vase = SurfaceOfRevolution::new(&curve, Point3::new(-1.0, 0.0, 0.0), axis, 2.0).unwrap();
+    assert_eq!(vase.axis(), (Point3::new(-1.0, 0.0, 0.0), axis));
+    let normal: Vector3<f64> = vase.normal(0.4, 0.5).unwrap();
+    let bend = vase.curvature(0.4, 0.5).unwrap();
+    assert!((bend.normal - normal).norm() < 1e-15 && bend.directions[0].dot(&normal).abs() < 1e-15);
+    let (start, along) = (vase.eval(0.4, 0.5) + normal, -normal);
+    let ahead = vase.ray_intersections(start, along, 1e-9).unwrap();
+    assert!(ahead.iter().any(|meeting| (meeting.at - 1.0).abs() < 1e-9));
+    let spline = BSplineCurve::from_bezier(curve.control_points()).unwrap();
+    let wall = BSplineSurface::extruded(&spline, Vector3::z()).unwrap();
+    assert!((wall.eval(1.0, 1.0) - (curve.end() + Vector3::z())).norm() < 1e-15);
+
+    // The image of a surface of revolution is one about the image of its axis; also in a mirror.
+    let turn = Rotation3::from_axis_angle(&Vector3::y_axis(), 0.7);
+    for mirror in [1.0, -1.0] {
+        let image = |p: Point3<f64>| turn * Point3::new(p.x * 3.0, p.y * 3.0 * mirror, p.z * 3.0 + 1.0);
+        let moved = vase.map(image).unwrap();
+        for (u, v) in [(0.0, 0.0), (0.3, 1.1), (1.0, 2.0)] {
+            assert!((moved.eval(u, v) - image(vase.eval(u, v))).norm() < 1e-13);
+        }
+    }
+    let squeezed = vase.map(|p| Point3::new(p.x, p.y, p.z * 1.001));
+    assert_eq!(squeezed.unwrap_err(), RevolutionError::NoSimilarity);
+    let slanted = vase.map(|p| Point3::new(p.x + 1e-3 * p.z, p.y, p.z));
+    assert_eq!(slanted.unwrap_err(), RevolutionError::NoSimilarity);
+}

@@ -101,8 +101,18 @@ fn two_segments() -> PiecewiseCurve<QuarticBernstein, [f64; 2]> {
         Curve::new(QuarticBernstein::new(0.5).unwrap(), [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
     let mut curve = PiecewiseCurve::from(first);
     let contact = Contact::Parametric { order: 2 };
-    curve.append(QuarticBernstein::new(-1.0).unwrap(), contact, [[8.0, 3.0]; 4]).unwrap();
+    curve.push_after(QuarticBernstein::new(-1.0).unwrap(), contact, [[8.0, 3.0]; 4]).unwrap();
     curve
+}
+
+#[test]
+fn curves_are_put_behind_each_other() {
+    let (mut whole, other) = (two_segments(), two_segments());
+    whole.append(&other);
+    assert_eq!(whole.domain(), [0.0, 4.0]);
+    assert_eq!([whole.eval(0.75), whole.eval(2.75)], [other.eval(0.75); 2]);
+    let (end, start) = (other.end(), other.start());
+    assert_eq!(whole.joints()[1].gap, (end[0] - start[0]).hypot(end[1] - start[1]));
 }
 
 #[test]

@@ -21,6 +21,21 @@ fn sum<U: Basis, V: Basis<Scalar = U::Scalar>, P: Point<Scalar = U::Scalar>>(
     sum
 }
 
+#[test]
+fn from_slices_and_with_other_shape_values() {
+    let random = &mut Random::new(5);
+    for _ in 0..20 {
+        let surface = random_surface::<[f64; 3]>(random);
+        let (u_basis, v_basis) = (surface.u_basis(), surface.rows()[0].basis());
+        let flat: Vec<[f64; 3]> =
+            surface.rows().iter().flat_map(|row| row.control_points().to_vec()).collect();
+        let same = TensorSurface::from_slice(u_basis, v_basis, &flat).unwrap();
+        assert_eq!(same, surface.with_bases(u_basis, v_basis));
+        assert_eq!(same.rows()[0], surface.rows()[0]);
+        assert!(TensorSurface::from_slice(u_basis, v_basis, &flat[1..]).is_err());
+    }
+}
+
 fn is_the_sum<P: Point>(tolerance: f64) {
     let random = &mut Random::new(3);
     for _ in 0..200 {

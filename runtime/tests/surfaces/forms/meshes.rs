@@ -344,6 +344,15 @@ fn degenerate_surfaces() {
 }
 
 #[test]
+fn of_surfaces_behind_references() {
+    let surface = egg(2.0);
+    let expected = Tessellation::new(0.05).unwrap().with(&surface).mesh().unwrap();
+    let behind: &dyn BoundedSurface<Point = [f64; 3]> = &surface;
+    assert_eq!(Tessellation::new(0.05).unwrap().with(behind).mesh().unwrap(), expected);
+    assert_eq!(Tessellation::new(0.05).unwrap().with(&behind).mesh().unwrap(), expected);
+}
+
+#[test]
 fn refused() {
     for tolerance in [0.0, -1.0, f64::INFINITY] {
         assert_eq!(Tessellation::new(tolerance).err(), Some(MeshError::Tolerance { value: tolerance }));
@@ -382,6 +391,40 @@ fn edges_and_angles_as_short_as_asked_for() {
     for wrong in [0.0, -1.0, f64::NAN] {
         assert!(Tessellation::new(0.1).unwrap().longest_edge(wrong).is_err());
         assert!(Tessellation::new(0.1).unwrap().largest_angle(wrong).is_err());
+    }
+}
+
+/// A long cylinder in strips, or in triangles of a decent shape; around poles there are none.
+#[test]
+fn triangles_of_a_decent_shape() {
+    let tube = SurfaceOfRevolution::about_x(&Bezier::from_points([[0.0, 1.0], [20.0, 1.0]]), FULL).unwrap();
+    let count = |aspect: Option<f64>| {
+        let mut tessellation = Tessellation::new(0.01).unwrap();
+        if let Some(aspect) = aspect {
+            tessellation = tessellation.largest_aspect(aspect).unwrap();
+        }
+        let mesh = tessellation.with(&tube).mesh().unwrap();
+        assert!(deviation(&mesh, &[&tube]) <= 0.01);
+        let shape = |triangle: &[u32; 3]| {
+            let [a, b, c] = mesh.corners(*triangle).unwrap().map(|p| mesh.positions[p as usize]);
+            let length = |p: [f64; 3], q: [f64; 3]| (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt();
+            let sides = [length(a, b), length(b, c), length(c, a)];
+            sides.into_iter().fold(0.0, f64::max) / sides.into_iter().fold(f64::INFINITY, f64::min)
+        };
+        (mesh.triangles.len(), mesh.triangles.iter().map(shape).fold(0.0, f64::max))
+    };
+    let (strips, long) = count(None);
+    let (decent, shape) = count(Some(3.0));
+    assert!(strips < 100 && long > 40.0, "{strips} {long}");
+    assert!(decent < 100 * strips && shape <= f64::hypot(3.0, 1.0) + 1e-9, "{decent} {shape}");
+    let ball = egg(2.0);
+    let round = Tessellation::new(0.05).unwrap().largest_aspect(2.0).unwrap().with(&ball).mesh().unwrap();
+    assert!(deviation(&round, &[&ball]) <= 0.05);
+    for wrong in [1.9, 0.0, -3.0, f64::NAN] {
+        assert!(matches!(
+            Tessellation::new(0.1).unwrap().largest_aspect(wrong),
+            Err(MeshError::Aspect { .. })
+        ));
     }
 }
 
