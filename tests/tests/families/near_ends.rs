@@ -1,8 +1,9 @@
 //! Values on the last floats before an end that is a sum of shape parameters, and of a family whose angle is nearly π: beside
 //! values of mpmath with 60 digits, for the numbers that the floats are.
 #![expect(clippy::unreadable_literal, clippy::excessive_precision, reason = "tables of numbers")]
+#![expect(clippy::approx_constant, reason = "an angle next to π, not π itself")]
 
-use basis_runtime::{RationalBasis, Scalar, SpannedBasis, basis};
+use basis_runtime::{Scalar, SpannedBasis, basis};
 use basis_tests::exact::epsilon;
 
 basis! {

@@ -112,7 +112,7 @@ fn sums_of_squares<S: Scalar>(rounds: usize) {
         check(&basis.values([x, y]), &|| format!("{m}, {n} at {x}, {y}"));
 
         // Below, the denominator is 0 in f32.
-        let c: S = near(random, [0.0078125, 1.0], &places);
+        let c: S = near(random, [1.0 / 128.0, 1.0], &places);
         let values = Quotients::new(c).expect("inside the range").values(t);
         check(&values, &|| format!("quotients {c} at {t}"));
         let values = Waves::new(m).expect("inside the range").values(t);
