@@ -88,11 +88,7 @@ impl<S: basis_runtime::Scalar> Bell<S> {
         let x2 = x * x;
         let c0 = S::of(1.0) - self.mu;
         let c1 = S::of(2.0) + self.mu;
-        [
-            v1::bernstein([S::of(1.0), c0], s, x) * s2,
-            c1 * (s * x),
-            v1::bernstein([c0, S::of(1.0)], s, x) * x2,
-        ]
+        [v1::bernstein([S::of(1.0), c0], s, x) * s2, c1 * (s * x), v1::bernstein([c0, S::of(1.0)], s, x) * x2]
     }
 
     /// The derivatives of the given order in `t` of `[b[0], b[1], b[2]]`; all zero above the degree 3.
@@ -110,11 +106,7 @@ impl<S: basis_runtime::Scalar> Bell<S> {
         let c2 = -S::of(0.125) * self.mu;
         let c3 = (-S::of(2.0) - self.mu) * S::of(0.25);
         let c4 = (S::of(1.0) - self.mu) * S::of(0.25);
-        [
-            [S::of(1.0), c0, c1, c2],
-            [S::of(0.0), -c0, c3, S::of(0.0)],
-            [S::of(0.0), S::of(0.0), c4, -c2],
-        ]
+        [[S::of(1.0), c0, c1, c2], [S::of(0.0), -c0, c3, S::of(0.0)], [S::of(0.0), S::of(0.0), c4, -c2]]
     }
 
     /// The coefficients of each function in the Bernstein basis of the same degree on the domain.
@@ -126,10 +118,7 @@ impl<S: basis_runtime::Scalar> Bell<S> {
 
     /// The control points that make the same curve in the Bernstein basis of the same degree.
     #[must_use]
-    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(
-        &self,
-        points: &[P; 3],
-    ) -> [P; 4] {
+    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 3]) -> [P; 4] {
         basis_runtime::Basis::to_bernstein(self, points)
     }
 
@@ -166,10 +155,7 @@ impl<S: basis_runtime::Scalar> Bell<S> {
     /// # Errors
     ///
     /// When `f` is not positive or a number is not finite, and where the control points do not determine the derivatives: `μ = 1`.
-    pub fn curve_after<
-        B: basis_runtime::Basis<Scalar = S>,
-        P: basis_runtime::Point<Scalar = S>,
-    >(
+    pub fn curve_after<B: basis_runtime::Basis<Scalar = S>, P: basis_runtime::Point<Scalar = S>>(
         &self,
         curve: &basis_runtime::Curve<B, P>,
         contact: basis_runtime::Contact<S>,
@@ -199,10 +185,7 @@ impl<S: basis_runtime::Scalar> Bell<S> {
     /// # Errors
     ///
     /// When `f` is not positive or a number is not finite, and where the control points do not determine the derivatives: `μ = 1`.
-    pub fn curve_before<
-        B: basis_runtime::Basis<Scalar = S>,
-        P: basis_runtime::Point<Scalar = S>,
-    >(
+    pub fn curve_before<B: basis_runtime::Basis<Scalar = S>, P: basis_runtime::Point<Scalar = S>>(
         &self,
         curve: &basis_runtime::Curve<B, P>,
         contact: basis_runtime::Contact<S>,
@@ -250,19 +233,13 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for Bell<S> {
     }
 
     #[inline]
-    fn bind<P: basis_runtime::Point<Scalar = S>>(
-        &self,
-        points: &[P; 3],
-    ) -> Self::Form<P> {
+    fn bind<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 3]) -> Self::Form<P> {
         let c0 = (-S::of(2.0) - self.mu) * S::of(0.5);
         let c1 = S::of(2.0) + self.mu;
         let c2 = S::of(0.5) * self.mu;
         basis_runtime::EndpointForm::new(
             [points[0], points[2]],
-            [
-                v1::combine(points, [c0, c1, c0]),
-                v1::combine(points, [c2, S::of(0.0), -c2]),
-            ],
+            [v1::combine(points, [c0, c1, c0]), v1::combine(points, [c2, S::of(0.0), -c2])],
         )
     }
 
@@ -289,10 +266,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for Bell<S> {
                 v1::check_end("Bell", 3, "μ = 1", c1)?;
                 points[0] = d0;
                 points[1] = v1::combine(&[d0, d1], [S::of(1.0), S::of(2.0) * r0]);
-                points[2] = v1::combine(
-                    &[d0, d1, d2],
-                    [S::of(1.0), -S::of(2.0) * r1, -S::of(2.0) * r1],
-                );
+                points[2] = v1::combine(&[d0, d1, d2], [S::of(1.0), -S::of(2.0) * r1, -S::of(2.0) * r1]);
             }
             _ => return v1::end_points(self, derivatives, points, false),
         }
@@ -320,10 +294,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for Bell<S> {
                 let c1 = S::of(2.0) + self.mu;
                 let r1 = S::of(1.0) / c1;
                 v1::check_end("Bell", 3, "μ = 1", c0)?;
-                points[0] = v1::combine(
-                    &[d0, d1, d2],
-                    [S::of(1.0), S::of(2.0) * r0, -S::of(2.0) * r0],
-                );
+                points[0] = v1::combine(&[d0, d1, d2], [S::of(1.0), S::of(2.0) * r0, -S::of(2.0) * r0]);
                 points[1] = v1::combine(&[d0, d1], [S::of(1.0), -S::of(2.0) * r1]);
                 points[2] = d0;
             }
@@ -437,10 +408,7 @@ impl<S: basis_runtime::Scalar> Tent<S> {
 
     /// The control points of the same patch in the Bernstein basis of the same degree.
     #[must_use]
-    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(
-        &self,
-        points: &[P; 6],
-    ) -> [P; 6] {
+    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 6]) -> [P; 6] {
         basis_runtime::SimplexBasis::to_bernstein(self, points)
     }
 
@@ -499,15 +467,10 @@ impl<S: basis_runtime::Scalar> basis_runtime::TriangularBasis for Tent<S> {
     type EdgeValues = [S; 3];
     type EdgePoints<T: Copy> = [T; 3];
     type EdgeBernstein<T: Copy> = [T; 3];
-    type EdgeForm<P: basis_runtime::Point<Scalar = S>> = basis_runtime::BernsteinForm<
-        P,
-        3,
-    >;
+    type EdgeForm<P: basis_runtime::Point<Scalar = S>> = basis_runtime::BernsteinForm<P, 3>;
     const OWN_EDGES: bool = true;
     #[inline]
-    fn edge_form<P: basis_runtime::Point<Scalar = S>>(
-        points: &[P; 3],
-    ) -> Self::EdgeForm<P> {
+    fn edge_form<P: basis_runtime::Point<Scalar = S>>(points: &[P; 3]) -> Self::EdgeForm<P> {
         basis_runtime::BernsteinForm::new(*points)
     }
 }
@@ -547,9 +510,7 @@ impl<S: basis_runtime::Scalar> Sheet<S> {
     #[inline]
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            scalar: core::marker::PhantomData,
-        }
+        Self { scalar: core::marker::PhantomData }
     }
 
     /// The values `[b[0], …, b[1]]` at `[x, y]`.
@@ -578,10 +539,7 @@ impl<S: basis_runtime::Scalar> Sheet<S> {
 
     /// The control points of the same patch in the Bernstein basis of the same degree.
     #[must_use]
-    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(
-        &self,
-        points: &[P; 2],
-    ) -> [P; 4] {
+    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 2]) -> [P; 4] {
         basis_runtime::BoxBasis::to_bernstein(self, points)
     }
 
@@ -615,10 +573,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::BoxBasis for Sheet<S> {
     type Points<T: Copy> = [T; 2];
     type Bernstein<T: Copy> = [T; 4];
     const NAME: &'static str = "Sheet";
-    const ROUNDING: &'static [basis_runtime::Rounding] = &[
-        basis_runtime::Rounding::Relative(1.01),
-        basis_runtime::Rounding::Relative(2.51),
-    ];
+    const ROUNDING: &'static [basis_runtime::Rounding] =
+        &[basis_runtime::Rounding::Relative(1.01), basis_runtime::Rounding::Relative(2.51)];
     const DEGREES: &'static [usize] = &[1, 1];
     #[inline]
     fn domain() -> [[S; 2]; 2] {
@@ -713,8 +669,5 @@ pub fn smooth<S: basis_runtime::Scalar, P: basis_runtime::Point<Scalar = S>>(
     let r0 = S::of(1.0) / c0;
     let c1 = -S::of(2.0) - mu1;
     let c2 = S::of(2.0) + S::of(2.0) * delta + delta * mu2 + mu1;
-    Ok([
-        v1::check_point(p[2])?,
-        v1::check_point(v1::combine(&[p[1], p[2]], [c1 * r0, c2 * r0]))?,
-    ])
+    Ok([v1::check_point(p[2])?, v1::check_point(v1::combine(&[p[1], p[2]], [c1 * r0, c2 * r0]))?])
 }
