@@ -6,8 +6,7 @@ use basis_engine::model::Parameter;
 use basis_engine::state::as_declared;
 use basis_engine::{Checked, Family, Verdict, Witness};
 
-use super::samples::pieces;
-use super::values::Functions;
+use super::values::{Functions, pieces};
 
 /// A claim that is not as declared, with the point at which it fails.
 #[derive(Clone, Debug)]

@@ -6,8 +6,8 @@ use svg::Document;
 use svg::node::element::{Circle, Group, Line, Rectangle, Title};
 
 use super::frame::{BAD, FAINT, Frame, INK, colour, dashes, extent, hex, mix, rounded, text};
-use super::samples::{pieces, sampled, strength};
-use super::values::Functions;
+use super::samples::{sampled, strength};
+use super::values::{Functions, pieces};
 use super::{Scene, curve};
 use crate::domain;
 

@@ -9,7 +9,7 @@ use basis_engine::{Diagnostic, Family};
 use serde_json::{Value, json};
 
 use super::Scene;
-use super::samples::pieces;
+use super::values::pieces;
 use crate::domain;
 use crate::eval::inside_of as inside;
 use crate::output::error;

@@ -1,10 +1,10 @@
 //! Functions on an interval, sampled at every setting.
 
-use basis_engine::{Diagnostic, Family};
+use basis_engine::Diagnostic;
 
 use super::Scene;
 use super::settings::Setting;
-use super::values::{Functions, between};
+use super::values::{Functions, between, pieces};
 use crate::output::error;
 
 /// How many parts of the domain have a line each.
@@ -15,11 +15,6 @@ pub(super) struct Sampled {
     pub(super) at: Vec<f64>,
     /// By point, then by function.
     pub(super) values: Vec<Vec<Option<f64>>>,
-}
-
-/// The families on the spans of the domain; of a domain of one span the family itself.
-pub(super) fn pieces(family: &Family) -> Vec<&Family> {
-    if family.pieces.is_empty() { vec![family] } else { family.pieces.iter().map(AsRef::as_ref).collect() }
 }
 
 /// The values of all functions at every setting.

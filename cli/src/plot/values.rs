@@ -6,6 +6,11 @@ use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::angle::{Angle, Kind};
 
+/// The families on the spans of the domain; of a domain of one span the family itself.
+pub(super) fn pieces(family: &Family) -> Vec<&Family> {
+    if family.pieces.is_empty() { vec![family] } else { family.pieces.iter().map(AsRef::as_ref).collect() }
+}
+
 /// The functions at some shape values.
 pub(super) struct Functions {
     formulas: Vec<Fraction>,

@@ -167,7 +167,6 @@ impl Witness {
 
     /// The same witness, with the proof that the value is not as claimed whatever π, exp(r) and angles beside their sines
     /// are between the bounds for them.
-    #[cfg(feature = "angles")]
     pub(super) fn whatever(mut self, proof: Proof) -> Self {
         self.everywhere = Some(proof);
         self

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::MeshError;
-use super::facets::{Cut, triangles};
+use super::facets::{Cell, Cut, Node, middle, triangles};
 use super::flat::{self, Flatness, P3, Part};
 use super::graph::{self, Corner};
 use super::limits::Limits;
@@ -27,16 +27,6 @@ const CUTS: usize = 1 << 11;
 /// A parameter as a number between 0 and 1.
 pub(super) fn unit<S: Scalar>(parameter: u32) -> S {
     S::from_usize(parameter as usize) / S::from_usize(WIDTH as usize)
-}
-
-/// A point of the parameter square.
-pub(super) type Node = [u32; 2];
-
-/// A rectangle of the parameter square.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cell {
-    pub(super) from: Node,
-    pub(super) to: Node,
 }
 
 impl Cell {
@@ -567,11 +557,6 @@ pub(super) fn is_crowded<S: Scalar>(points: &[[S; 3]], reach: S) -> bool {
     let count = points.len();
     let apart = |i: usize, j: usize| j - i >= 2 && (i, j) != (0, count - 1);
     (0..count).any(|i| (i + 1..count).any(|j| apart(i, j) && distance(points[i], points[j]) <= reach))
-}
-
-/// The node in the middle of a rectangle.
-pub(super) fn middle(cell: Cell) -> Node {
-    [0, 1].map(|c| cell.from[c] + (cell.to[c] - cell.from[c]) / 2)
 }
 
 /// The node at a parameter along an edge.

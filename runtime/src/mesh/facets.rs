@@ -2,7 +2,20 @@
 
 use alloc::vec::Vec;
 
-use super::cells::{Cell, Node, middle};
+/// A point of the parameter square.
+pub(super) type Node = [u32; 2];
+
+/// A rectangle of the parameter square.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    pub(super) from: Node,
+    pub(super) to: Node,
+}
+
+/// The node in the middle of a rectangle.
+pub(super) fn middle(cell: Cell) -> Node {
+    [0, 1].map(|c| cell.from[c] + (cell.to[c] - cell.from[c]) / 2)
+}
 
 /// How a polygon is cut.
 #[derive(Clone, Copy, PartialEq, Eq)]

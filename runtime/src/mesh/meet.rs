@@ -3,7 +3,8 @@
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
-use super::cells::{Cells, Node, on_edge};
+use super::cells::{Cells, on_edge};
+use super::facets::Node;
 use super::lines::WIDTH;
 use super::patch::Patch;
 use super::weld::{Seams, Side};

@@ -4,7 +4,8 @@ use alloc::boxed::Box;
 use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
-use super::cells::{Cells, Leaf, Node, Sheet, is_crowded, on_edge, unit};
+use super::cells::{Cells, Leaf, Sheet, is_crowded, on_edge, unit};
+use super::facets::Node;
 use super::facets::{Cut, triangles};
 use super::limits::Limits;
 use super::lines::WIDTH;

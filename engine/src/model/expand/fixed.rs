@@ -7,13 +7,10 @@ use super::fixed_angle::fixed_angle;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::model::scope::{Inside, Scope};
+use crate::model::scope::{Fixed, Inside, Scope};
 use crate::model::{Barycentric, Family, Parameter, chart, label};
 use crate::syntax::Binding;
 use basis_prover::collections::list::Listed;
-
-/// Variables and what takes their places.
-pub(super) type Fixed = Vec<(Var, Fraction)>;
 
 /// The name that gets a value, indices as numbers.
 pub(super) fn bound_name(scope: &mut Scope<'_>, binding: &Binding) -> Option<String> {
@@ -60,7 +57,7 @@ pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]
     for (binding, name) in &all {
         let by_assumption = scope.determined.iter().find(|(n, _)| n == name).map(|(_, value)| value.clone());
         if let Some(own) = by_assumption {
-            let own = put(scope, own, &fixed, binding.value.span)?;
+            let own = scope.put_all(own, &fixed, binding.value.span)?;
             let value = scope.scalar(&binding.value)?;
             let difference = scope.fits(scope.budget.sub(&own, &value), binding.value.span)?;
             if difference.is_zero() {
@@ -95,7 +92,7 @@ pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]
         }
         let mut value = scope.scalar(&binding.value)?;
         if scope.is_domain_variable(var) {
-            value = put(scope, value, &fixed, binding.value.span)?;
+            value = scope.put_all(value, &fixed, binding.value.span)?;
         }
         if let Some(angle) = family.analytic.angle(var).cloned() {
             fixed_angle(scope, family, &angle, (value, binding), &mut fixed)?;
@@ -184,16 +181,6 @@ fn zero(f: &Fraction, var: Var) -> Option<Fraction> {
     let [rest, slope] = &p.coefficients_in(var)[..] else { return None };
     let scale = -slope.as_constant()?.recip()?;
     Some(Fraction::from(rest.scale(&scale)))
-}
-
-/// A value with those of the shape parameters that are fixed.
-pub(super) fn put(
-    scope: &Scope<'_>,
-    value: Fraction,
-    fixed: &[(Var, Fraction)],
-    span: Span,
-) -> Option<Fraction> {
-    fixed.iter().try_fold(value, |value, (var, x)| scope.put_one(&value, *var, x, span))
 }
 
 /// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.

@@ -4,7 +4,6 @@
 //! value: with tan(α/4), at α = π/2. What is claimed there is about the family with π/2 in place of α, expanded anew.
 
 use super::angles::{are_ordered, is_alone};
-use super::fixed::{Fixed, put};
 use super::names;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
@@ -12,7 +11,7 @@ use crate::model::angle::{Angle, Given, Kind};
 use crate::model::enclosure::pi_bounds;
 use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
-use crate::model::scope::{Inside, Scope};
+use crate::model::scope::{Fixed, Inside, Scope};
 use crate::model::{Family, Library};
 use crate::syntax::{self, Binding, StatementKind};
 
@@ -107,7 +106,7 @@ pub(super) fn fixed_angle(
     let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == angle.var)?;
     let declared = family.declared(parameter);
     if scope.is_domain_variable(angle.var) {
-        y = put(scope, y, fixed, span)?;
+        y = scope.put_all(y, fixed, span)?;
         if scope.lies_elsewhere(&y, &parameter.range, family) {
             return None;
         }

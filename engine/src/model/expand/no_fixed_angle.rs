@@ -1,9 +1,8 @@
 //! Stands for the values that `at` blocks fix of angles where the feature `angles` is off: no family has any.
 
-use super::fixed::Fixed;
 use crate::algebra::fraction::Fraction;
 use crate::model::angle::{Angle, Given};
-use crate::model::scope::Scope;
+use crate::model::scope::{Fixed, Scope};
 use crate::model::{Family, Library};
 use crate::syntax::{self, Binding};
 

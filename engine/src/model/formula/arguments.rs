@@ -279,4 +279,9 @@ impl Scope<'_> {
         }
         put
     }
+
+    /// A value with those of the shape parameters that are fixed.
+    pub(crate) fn put_all(&self, f: Fraction, fixed: &[(Var, Fraction)], span: Span) -> Option<Fraction> {
+        fixed.iter().try_fold(f, |f, (var, by)| self.put_one(&f, *var, by, span))
+    }
 }

@@ -61,6 +61,9 @@ pub(crate) struct Argument {
     pub(crate) span: Span,
 }
 
+/// Variables and what takes their places.
+pub(crate) type Fixed = Vec<(Var, Fraction)>;
+
 /// What formulas contain.
 #[cfg(feature = "angles")]
 #[derive(Default)]

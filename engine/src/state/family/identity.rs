@@ -380,7 +380,7 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             notes
         }
         ClaimKind::Symmetric if is_unnumbered(family) => vec![
-            String::from("a moved function is none of the functions, and differs from the function itself"),
+            String::from("a function, once moved, is not among the functions and differs from itself"),
             format!("`{of}` is {}{place}", witness.value_text()),
         ],
         _ if is_number => vec![format!("`{of}` is {}", witness.value_text())],

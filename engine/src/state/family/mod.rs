@@ -21,7 +21,7 @@ use basis_prover::{Coordinate, Failure, Method, Shown};
 
 use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
-use super::verdict::{Evidence, Stated, Verdict};
+use super::verdict::{Evidence, Stated, Verdict, Witness};
 use basis_kernel::Statement;
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
@@ -319,7 +319,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         return rounding::decide(family, epsilons);
     }
     if let Some(verdict) =
-        beside::proved_at_once(family, claim).or_else(|| beside::refuted(family, claim, true))
+        beside::proved_at_once(family, claim).or_else(|| refuted_beside(family, claim, true))
     {
         return verdict;
     }
@@ -363,7 +363,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
-            let verdict = beside::refuted(family, claim, false);
+            let verdict = refuted_beside(family, claim, false);
             verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {WIDER}")))
         }
         Err((label, Failure::Refuted(found))) => {
@@ -384,7 +384,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
             _ if assumed => {
                 // Of an equation simple points come first, which need not be among those that are assumed.
                 let verdict = refuted_under_premises(family, claim, &said.iter().listed());
-                let verdict = verdict.or_else(|| beside::refuted(family, claim, false));
+                let verdict = verdict.or_else(|| refuted_beside(family, claim, false));
                 return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
             }
             ClaimKind::Relation { .. } | ClaimKind::Nonnegative if beside.contains(&of) => {
@@ -406,6 +406,19 @@ fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
     refuted_under_premises(family, claim, &plain.iter().listed())
 }
 
+/// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
+fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
+    let (s, whatever) = beside::refuted(family, claim, only_mixed)?;
+    let witness = witness_whatever(family, claim, &s, whatever);
+    let whole = s.of == s.stated.of;
+    Some(Verdict::Refuted(Box::new(if whole { witness } else { witness.about(&s.stated.of) })))
+}
+
+/// The witness that a point is at which a statement fails whatever π and exp(r) are between their bounds.
+fn witness_whatever(family: &Family, claim: &Claim, s: &Said, (found, proof): beside::Whatever) -> Witness {
+    witness(family, &claim.kind, (s.of.clone(), &s.stated.statement), &found, &s.piece).whatever(proof)
+}
+
 /// A point of what is assumed at which one of the statements fails that a claim makes itself.
 fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Option<Verdict> {
     let (s, found) = basis_prover::working(family.budget, &mut |work| {
@@ -418,7 +431,8 @@ fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Opt
             Coordinate::Algebraic(_) => None,
         };
         let point: Option<Vec<_>> = found.point.iter().map(rational).collect();
-        beside::refuted_whatever(family, claim, s, &point?)?
+        let whatever = beside::refuted_whatever(family, claim, &s.stated.statement, &point?)?;
+        witness_whatever(family, claim, s, whatever)
     } else {
         let about = (s.of.clone(), found.refutation.statement());
         witness(family, &claim.kind, about, &found, &s.piece)

@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use basis_kernel::{Domain, Statement};
+use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::{Coordinate, Counterexample};
 
 use super::{Enough, Said, Saying};
@@ -14,7 +14,7 @@ use crate::algebra::rational::Rational;
 use crate::claim::{Claim, Comparison};
 use crate::model::Family;
 use crate::model::chart::Piece;
-use crate::state::verdict::{Verdict, Witness};
+use crate::state::verdict::Verdict;
 
 pub(super) fn enough(
     _: &Family,
@@ -35,11 +35,18 @@ pub(super) fn at_point(
     None
 }
 
-pub(super) fn refuted(_: &Family, _: &Claim, _: bool) -> Option<Verdict> {
+pub(super) type Whatever = (Counterexample, Proof);
+
+pub(super) fn refuted(_: &Family, _: &Claim, _: bool) -> Option<(Said, Whatever)> {
     None
 }
 
-pub(super) fn refuted_whatever(_: &Family, _: &Claim, _: &Said, _: &[(Var, Rational)]) -> Option<Witness> {
+pub(super) fn refuted_whatever(
+    _: &Family,
+    _: &Claim,
+    _: &Statement,
+    _: &[(Var, Rational)],
+) -> Option<Whatever> {
     None
 }
 
@@ -79,6 +86,10 @@ pub(super) fn about_number(_: &Family, _: &Fraction, value: &Rational) -> Ration
 
 pub(super) fn about(_: &Family, _: &Family, _: &[(Var, Rational)]) -> Vec<(String, f64)> {
     Vec::new()
+}
+
+pub(super) fn value_at(_: &Family, found: &Counterexample, f: &Fraction) -> Option<Coordinate> {
+    found.evaluate(&f.quotient())
 }
 
 pub(super) fn name_angles(

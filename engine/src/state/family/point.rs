@@ -52,7 +52,7 @@ pub(super) fn named_point(
         }
         let known = if piece.steps.is_empty() {
             // Where all variables have values there are coordinates for those that are fixed, too.
-            fixed_value.and_then(|f| value_at(family, found, f)).or(given)
+            fixed_value.and_then(|f| beside::value_at(family, found, f)).or(given)
         } else {
             image(fixed_value.unwrap_or(&Fraction::var(var)))
         };
@@ -78,13 +78,4 @@ pub(super) fn named_point(
         }
     }
     all
-}
-
-/// A value at a counterexample; where numbers tan(π/n) stand in it, with these in place of what is near them.
-pub(super) fn value_at(family: &Family, found: &Counterexample, f: &Fraction) -> Option<Coordinate> {
-    let f = family.analytic.reduced(f.clone());
-    let Some(root) = family.analytic.roots.iter().find(|root| f.depends_on(root.var)) else {
-        return found.evaluate(&f.quotient());
-    };
-    found.with(root.var, Coordinate::Algebraic(root.number.clone()))?.evaluate(&f.quotient())
 }

@@ -51,7 +51,7 @@ pub fn checked_quotient(poly: &Poly, divisor: &Poly, work: &mut Work) -> Result<
     Ok(poly.div_exact(divisor))
 }
 
-/// Up to so many products of terms a division takes no longer than images.
+/// The number of products of terms up to which a division takes no longer than images.
 const WITHOUT_IMAGES: usize = 2_000;
 
 /// The greatest common divisor of several polynomials; 0 for none.

@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use basis_kernel::{Domain, Statement};
+use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, Counterexample, simple, within};
 
@@ -19,11 +19,11 @@ use crate::model::chart::Piece;
 use crate::model::enclosure::{Anchor, From, row_without};
 use crate::model::tangents::has_ends;
 use crate::state::family::{
-    Enough, Said, Saying, is_wider, method, premises, said, statements, without_numbers, witness,
+    Enough, Said, Saying, is_wider, method, premises, said, statements, without_numbers,
 };
 use crate::state::inequality::compared_on;
 use crate::state::proofs::{all, steps};
-use crate::state::verdict::{Evidence, Stated, Verdict, Witness};
+use crate::state::verdict::{Evidence, Stated, Verdict};
 
 /// What is enough for a comparison.
 pub(in crate::state::family) fn enough<'f>(
@@ -88,8 +88,15 @@ fn by_a_way<'f>(
     }
 }
 
-/// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
-pub(in crate::state::family) fn refuted(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
+/// A point at which a statement fails, and the proof that it does whatever π and exp(r) are between their bounds.
+pub(in crate::state::family) type Whatever = (Counterexample, Proof);
+
+/// The first comparison of a claim that fails at a point with π, exp(r), or an angle beside its sine, and the point.
+pub(in crate::state::family) fn refuted(
+    family: &Family,
+    claim: &Claim,
+    only_mixed: bool,
+) -> Option<(Said, Whatever)> {
     let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
         && !family.analytic.is_empty();
     if !comparisons {
@@ -111,34 +118,23 @@ pub(in crate::state::family) fn refuted(family: &Family, claim: &Claim, only_mix
         let found = basis_prover::working(family.budget, &mut |work| {
             super::refute(&there, &value, &s.stated.statement, work)
         });
-        if let Some((found, proof)) = found {
-            let about = (s.of.clone(), &s.stated.statement);
-            let witness = witness(family, &claim.kind, about, &found, &s.piece).whatever(proof);
-            let whole = s.of == s.stated.of;
-            return Some(Verdict::Refuted(Box::new(if whole {
-                witness
-            } else {
-                witness.about(&s.stated.of)
-            })));
+        if let Some(found) = found {
+            return Some((s, found));
         }
     }
     None
 }
 
-/// The witness that a point is at which a statement fails whatever π and exp(r) are between their bounds.
+/// That a statement fails at a point whatever π and exp(r) are between their bounds.
 pub(in crate::state::family) fn refuted_whatever(
     family: &Family,
     claim: &Claim,
-    said: &Said,
+    statement: &Statement,
     point: &[(Var, Rational)],
-) -> Option<Witness> {
+) -> Option<Whatever> {
     let there = family.where_fixed(claim.kind.fixed())?;
     let point = super::rational_part(family, point);
-    let (found, proof) = basis_prover::working(family.budget, &mut |work| {
-        sample::refuted_at(&there, &said.stated.statement, &point, work)
-    })?;
-    let about = (said.of.clone(), &said.stated.statement);
-    Some(witness(family, &claim.kind, about, &found, &said.piece).whatever(proof))
+    basis_prover::working(family.budget, &mut |work| sample::refuted_at(&there, statement, &point, work))
 }
 
 /// The work for a proof that is tried before counterexamples are searched.

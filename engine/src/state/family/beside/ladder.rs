@@ -19,8 +19,10 @@
 //! On the domain a ≤ t ≤ α with a parameter α above a, g ≥ 0 follows for each t > a from the first rule in α as well, on the way from
 //! α = t on: from g ≥ 0 at t = α and dg/dα ≥ 0. At t = a it follows by continuity, and g > 0 there is shown by itself.
 
+use basis_prover::collections::list::Listed;
+
 use super::sample::Sample;
-use super::{Half, Step, named, parameter};
+use super::{Half, Step, named};
 use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
@@ -28,8 +30,8 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
-use crate::model::Family;
-use crate::model::angle::Angle;
+use crate::model::angle::{Angle, Kind};
+use crate::model::{Family, Function, Parameter};
 
 /// Derivatives that are tried.
 const MAX_DEPTH: usize = 7;
@@ -118,7 +120,7 @@ impl<'f> Ladder<'f> {
 
     fn push(&mut self, step: &Named, strict: bool, work: &mut Work) {
         if self.along == Along::Parameter
-            && let Some(steps) = parameter::alone(self.family, &step.of, &step.value, strict, work)
+            && let Some(steps) = alone(self.family, &step.of, &step.value, strict, work)
         {
             self.found.extend(steps);
             return;
@@ -188,7 +190,7 @@ impl<'f> Ladder<'f> {
         if !self.may_be_nonnegative(g, work) {
             return None;
         }
-        if self.along == Along::Parameter && parameter::is_alone(self.family, &g.value) {
+        if self.along == Along::Parameter && is_alone(self.family, &g.value) {
             self.push(g, strict, work);
             return Some(());
         }
@@ -293,7 +295,7 @@ impl<'f> Ladder<'f> {
         }
         if !g.value.depends_on(self.angle.itself) {
             // Bounds for a parameter beside its sine go ill with the change of sign, which the slope does without.
-            if parameter::is_beside(self.family, &g.value) {
+            if is_beside(self.family, &g.value) {
                 let slope = self.slope(g, work)?;
                 if self.signs(&slope, work) == Signs::Down {
                     return self.positive(&slope.negated(), false, depth, work);
@@ -451,4 +453,55 @@ impl<'f> Ladder<'f> {
         let k = &Rational::from(i64::from(degree)) - &j;
         Some((j, k))
     }
+}
+
+/// The shape parameters that stand beside their sines in a value.
+pub(super) fn beside<'f>(family: &'f Family, value: &Fraction) -> Vec<(&'f Parameter, &'f Angle)> {
+    let all = family.shapes.iter().filter_map(|p| family.analytic.angle(p.var).map(|angle| (p, angle)));
+    let fits = |angle: &Angle| angle.kind != Kind::Linear && angle.itself != angle.var;
+    all.filter(|(_, angle)| fits(angle) && value.depends_on(angle.itself)).listed()
+}
+
+/// Whether there is one.
+fn is_beside(family: &Family, value: &Fraction) -> bool {
+    !beside(family, value).is_empty()
+}
+
+/// Whether the variable of the domain plays no part.
+pub(super) fn is_alone(family: &Family, value: &Fraction) -> bool {
+    family.domain.iter().all(|p| {
+        let itself = family.analytic.angle(p.var).map_or(p.var, |angle| angle.itself);
+        !value.depends_on(p.var) && !value.depends_on(itself)
+    })
+}
+
+/// What is enough for a function of shape parameters to be ≥ 0, or > 0, by derivatives in the one that stands beside its sine.
+pub(super) fn alone(
+    family: &Family,
+    of: &str,
+    value: &Fraction,
+    strict: bool,
+    work: &mut Work,
+) -> Option<Vec<Step>> {
+    if !is_alone(family, value) || !family.constraints.is_empty() {
+        return None;
+    }
+    let all = beside(family, value);
+    let [(own, angle)] = all.as_slice() else { return None };
+    let (domain, shapes) = family.shapes.iter().cloned().partition(|p| p.var == own.var);
+    let function = Function { index: Vec::new(), value: value.clone() };
+    let along = Family {
+        functions: vec![function],
+        pieces: Vec::new(),
+        over: Poly::one(),
+        simplices: Vec::new(),
+        shapes,
+        domain,
+        ..family.clone()
+    };
+    let sample = Sample::new(&along, work)?;
+    let mut ladder = Ladder::new(&along, angle, &own.range, &sample);
+    ladder.start(of, value, strict, work)?;
+    let whole = (own.var, own.range.clone());
+    Some(ladder.found.into_iter().map(|step| Step { ranges: vec![whole.clone()], ..step }).listed())
 }

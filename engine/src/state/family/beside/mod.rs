@@ -36,9 +36,9 @@ use sample::Values;
 
 pub(super) use crate::model::tangents::wider;
 pub(super) use claims::{
-    about, at_point, enough, proved_at_once, refuted, refuted_whatever, rows_between_bounds, shown,
+    Whatever, about, at_point, enough, proved_at_once, refuted, refuted_whatever, rows_between_bounds, shown,
 };
-pub(super) use point::{name_angles, places};
+pub(super) use point::{name_angles, places, value_at};
 pub(super) use sample::{Sample, genuine};
 
 /// Something that has to be ≥ 0, or > 0.

@@ -1,67 +1,12 @@
 //! Ladders along a shape parameter, instead of bounds for it, which say little where it is large.
 
-use basis_prover::collections::list::Listed;
-
 use super::Step;
-use super::ladder::{Along, Ladder};
+use super::ladder::{Along, Ladder, alone, beside, is_alone};
 use super::sample::Sample;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Poly;
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
-use crate::model::angle::{Angle, Kind};
-use crate::model::{Family, Function, Parameter};
-
-/// The shape parameters that stand beside their sines in a value.
-fn beside<'f>(family: &'f Family, value: &Fraction) -> Vec<(&'f Parameter, &'f Angle)> {
-    let all = family.shapes.iter().filter_map(|p| family.analytic.angle(p.var).map(|angle| (p, angle)));
-    let fits = |angle: &Angle| angle.kind != Kind::Linear && angle.itself != angle.var;
-    all.filter(|(_, angle)| fits(angle) && value.depends_on(angle.itself)).listed()
-}
-
-/// Whether there is one.
-pub(super) fn is_beside(family: &Family, value: &Fraction) -> bool {
-    !beside(family, value).is_empty()
-}
-
-/// Whether the variable of the domain plays no part.
-pub(super) fn is_alone(family: &Family, value: &Fraction) -> bool {
-    family.domain.iter().all(|p| {
-        let itself = family.analytic.angle(p.var).map_or(p.var, |angle| angle.itself);
-        !value.depends_on(p.var) && !value.depends_on(itself)
-    })
-}
-
-/// What is enough for a function of shape parameters to be ≥ 0, or > 0, by derivatives in the one that stands beside its sine.
-pub(super) fn alone(
-    family: &Family,
-    of: &str,
-    value: &Fraction,
-    strict: bool,
-    work: &mut Work,
-) -> Option<Vec<Step>> {
-    if !is_alone(family, value) || !family.constraints.is_empty() {
-        return None;
-    }
-    let all = beside(family, value);
-    let [(own, angle)] = all.as_slice() else { return None };
-    let (domain, shapes) = family.shapes.iter().cloned().partition(|p| p.var == own.var);
-    let function = Function { index: Vec::new(), value: value.clone() };
-    let along = Family {
-        functions: vec![function],
-        pieces: Vec::new(),
-        over: Poly::one(),
-        simplices: Vec::new(),
-        shapes,
-        domain,
-        ..family.clone()
-    };
-    let sample = Sample::new(&along, work)?;
-    let mut ladder = Ladder::new(&along, angle, &own.range, &sample);
-    ladder.start(of, value, strict, work)?;
-    let whole = (own.var, own.range.clone());
-    Some(ladder.found.into_iter().map(|step| Step { ranges: vec![whole.clone()], ..step }).listed())
-}
+use crate::model::Family;
 
 /// What is enough for a step by derivatives in the parameter at the upper end of the domain, from where the variable is on, if it
 /// stands beside its sine.

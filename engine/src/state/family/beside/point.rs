@@ -8,7 +8,6 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::Family;
 use crate::model::angle::{Angle, multiple_of_pi};
-use crate::state::family::point::value_at;
 
 /// Puts angles in place of what stands for them in the values of all parameters.
 pub(in crate::state::family) fn name_angles(
@@ -121,4 +120,17 @@ fn named_angle(
     }
     let (Some(low), Some(width)) = (put(&angle.low), put(&angle.width)) else { return as_it_is };
     (angle.tangent_name(), Coordinate::Rational(&low + &(&width * value)))
+}
+
+/// A value at a counterexample; where numbers tan(π/n) stand in it, with these in place of what is near them.
+pub(in crate::state::family) fn value_at(
+    family: &Family,
+    found: &Counterexample,
+    f: &Fraction,
+) -> Option<Coordinate> {
+    let f = family.analytic.reduced(f.clone());
+    let Some(root) = family.analytic.roots.iter().find(|root| f.depends_on(root.var)) else {
+        return found.evaluate(&f.quotient());
+    };
+    found.with(root.var, Coordinate::Algebraic(root.number.clone()))?.evaluate(&f.quotient())
 }
