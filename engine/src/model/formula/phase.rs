@@ -180,7 +180,9 @@ impl Scope<'_> {
             let Some(n) = n.filter(|n| n.abs() <= MAX_MULTIPLE) else {
                 let unit = times(&(&angle.rate + &angle.rate), angle.turns, name);
                 return Err((
-                    format!("the functions are known at whole multiples of `{unit}`, and this is not one of them"),
+                    format!(
+                        "the functions are known at whole multiples of `{unit}`, and this is not one of them"
+                    ),
                     String::from("write the sines and cosines of this argument themselves"),
                 ));
             };
