@@ -142,17 +142,16 @@ fn entry_points(case: &Case, own: &str, results: usize) -> String {
         }
     } else {
         let code = case.code(&Shader::Wgsl);
-        let partial = |orders: &[usize]| {
-            let names = code.coordinates.iter().zip(orders);
-            names.flat_map(|(name, order)| vec![name.clone(); *order]).collect::<Vec<_>>().join("_")
-        };
         let orders = orders(case.family.domain.len());
         for orders in &orders {
-            functions(&mut text, &format!("partials_{}", partial(orders)));
+            functions(&mut text, &format!("partials_{}", code.along(orders)));
         }
         point(&mut text, &format!("{own}_eval({point_shapes}bound, {at})"));
         for orders in &orders {
-            point(&mut text, &format!("{own}_eval_partial_{}({point_shapes}bound, {at})", partial(orders)));
+            point(
+                &mut text,
+                &format!("{own}_eval_partial_{}({point_shapes}bound, {at})", code.along(orders)),
+            );
         }
     }
     text + "}\n"
