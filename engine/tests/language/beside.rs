@@ -1,22 +1,8 @@
 //! Signs of functions in which a variable, or the end of its range, stands beside its own sine or exponential: true claims, with
 //! false ones beside them whose values were computed by other means.
 
-use crate::rechecked::rechecked;
-use basis_engine::{Source, Verdict, check};
-
-/// Every claim of a spec is found to be as it is declared, and checks out again from the text of its certificate; the
-/// counterexamples.
-fn counterexamples(spec: &str) -> Vec<String> {
-    let report = check(Source::text("beside.basis", spec));
-    assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
-    let mut all = Vec::new();
-    for verdict in rechecked(&report) {
-        if let Verdict::Refuted(witness) = verdict {
-            all.push(format!("{} at {}", witness.value_text(), witness.point()));
-        }
-    }
-    all
-}
+use crate::rechecked::counterexamples;
+use basis_engine::{Source, check};
 
 const QUARTER: &str = "
 family Quarter {

@@ -1,21 +1,7 @@
 //! Claims that need smaller parts of an angle than the functions, sharp claims at irrational ends of ranges, points inside of spans
 //! between shape parameters, and lists of shape parameters beside angles.
 
-use crate::rechecked::rechecked;
-use basis_engine::{Source, Verdict, check};
-
-/// Every claim of a spec is as declared, and checks out again from the text of its certificate; the counterexamples.
-fn counterexamples(spec: &str) -> Vec<String> {
-    let report = check(Source::text("finer.basis", spec));
-    assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
-    let mut all = Vec::new();
-    for verdict in rechecked(&report) {
-        if let Verdict::Refuted(witness) = verdict {
-            all.push(format!("{} at {}", witness.value_text(), witness.point()));
-        }
-    }
-    all
-}
+use crate::rechecked::counterexamples;
 
 /// The claims about the middle of the domain need tan(α/8), whose range ends at an irrational number; the others do not.
 #[test]

@@ -1,21 +1,6 @@
 //! Angles whose sines are irrational: at an end of the domain, at a value that `at` gives, and as numbers such as sin(π/4).
 
-use crate::rechecked::rechecked;
-use basis_engine::{Source, Verdict, check};
-
-/// Every claim of a spec is found to be as it is declared, and checks out again from the text of its certificate; the
-/// counterexamples.
-fn counterexamples(spec: &str) -> Vec<String> {
-    let report = check(Source::text("turns.basis", spec));
-    assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
-    let mut all = Vec::new();
-    for verdict in rechecked(&report) {
-        if let Verdict::Refuted(witness) = verdict {
-            all.push(format!("{} at {}", witness.value_text(), witness.point()));
-        }
-    }
-    all
-}
+use crate::rechecked::counterexamples;
 
 /// The middle of the domain and others of its points: tan(π/8) = √2 − 1, tan(π/16), tan(π/12) = 2 − √3.
 #[test]

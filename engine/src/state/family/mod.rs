@@ -377,7 +377,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
             let found = beside::genuine(there.as_deref().unwrap_or(family), *found);
             let about = (of.clone(), found.refutation.statement());
             let witness = witness(family, &claim.kind, about, &found, piece);
-            Verdict::Refuted(Box::new(if *of == label { witness } else { witness.about(&label) }))
+            refuted(witness, of, &label)
         }
         Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
             ClaimKind::Independent(_) => left,
@@ -406,12 +406,16 @@ fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
     refuted_under_premises(family, claim, &plain.iter().listed())
 }
 
+/// That an expression is not as claimed; where the label of the statement says more, of several parts, it is named.
+fn refuted(witness: Witness, of: &str, label: &str) -> Verdict {
+    Verdict::Refuted(Box::new(if of == label { witness } else { witness.about(label) }))
+}
+
 /// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
 fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
     let (s, whatever) = beside::refuted(family, claim, only_mixed)?;
     let witness = witness_whatever(family, claim, &s, whatever);
-    let whole = s.of == s.stated.of;
-    Some(Verdict::Refuted(Box::new(if whole { witness } else { witness.about(&s.stated.of) })))
+    Some(refuted(witness, &s.of, &s.stated.of))
 }
 
 /// The witness that a point is at which a statement fails whatever π and exp(r) are between their bounds.
@@ -437,8 +441,7 @@ fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Opt
         let about = (s.of.clone(), found.refutation.statement());
         witness(family, &claim.kind, about, &found, &s.piece)
     };
-    let whole = s.of == s.stated.of;
-    Some(Verdict::Refuted(Box::new(if whole { witness } else { witness.about(&s.stated.of) })))
+    Some(refuted(witness, &s.of, &s.stated.of))
 }
 
 /// What is known of functions whose total positivity is not proved.
