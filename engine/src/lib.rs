@@ -96,8 +96,8 @@ pub fn check(source: Source) -> Report {
     let run = &mut state::Run::default();
     let families = library.items(Selected::EveryOrder);
     let warnings = generate::no_floats(&families);
-    let items = families.into_iter().chain(theorem::theorems(&library));
-    let items: Vec<Checked> = items.map(|item| decide_within(item, run)).listed();
+    let items = families.into_iter().chain(theorem::theorems(&library)).listed();
+    let items = decide_all(items, run);
     let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
     diagnostics.extend(warnings);
     diagnostics.extend(items.iter().flat_map(contradictions));
@@ -111,15 +111,25 @@ pub fn decide(item: Item) -> Checked {
 
 /// Decides all claims of an item with the work that is left of a run.
 pub fn decide_within(item: Item, run: &mut state::Run) -> Checked {
-    let Item { subject, claims, .. } = item;
-    let claims = claims
-        .into_iter()
-        .map(|claim| {
-            let verdict = run.decide(&subject, &claim);
-            (claim, verdict)
-        })
-        .listed();
-    Checked { subject, claims }
+    let subject = item.subject.clone();
+    decide_all(vec![item], run).pop().unwrap_or(Checked { subject, claims: Vec::new() })
+}
+
+/// Decides all claims of several items with the work that is left of a run.
+pub fn decide_all(items: Vec<Item>, run: &mut state::Run) -> Vec<Checked> {
+    let mut verdicts: Vec<Option<state::Verdict>> = Vec::new();
+    {
+        let claims = items.iter().flat_map(|item| item.claims.iter().map(|claim| (&item.subject, claim)));
+        let claims = claims.listed();
+        verdicts.resize_with(claims.len(), || None);
+        run.decide_all(&claims, &mut |k, verdict| verdicts[k] = verdict);
+    }
+    let mut verdicts = verdicts.into_iter().flatten();
+    let checked = |Item { subject, claims, .. }: Item| {
+        let claims = claims.into_iter().zip(&mut verdicts).listed();
+        Checked { subject, claims }
+    };
+    items.into_iter().map(checked).listed()
 }
 
 /// The errors for the claims whose verdict is not the declared one.

@@ -136,7 +136,7 @@ pub(crate) fn watched(entry: Entry, formal: Formal, decided: &dyn Fn()) -> Outco
     let families = library.items(Selected::EveryOrder);
     let warnings = generate::no_floats(&families);
     let items = families.into_iter().chain(theorems(&library));
-    let mut items: Vec<Decided> = items.map(|i| item(i, run, decided)).collect();
+    let mut items = decide(items.collect(), run, decided);
     if formal == Formal::Kept {
         for item in &mut items {
             match &item.subject {
@@ -158,16 +158,31 @@ pub(crate) fn watched(entry: Entry, formal: Formal, decided: &dyn Fn()) -> Outco
     }
 }
 
-fn item(item: Item, run: &mut state::Run, decided: &dyn Fn()) -> Decided {
-    let Item { subject, obligations, claims } = item;
-    let decide = |claim: Claim| {
-        let start = Instant::now();
-        let verdict = run.decide(&subject, &claim);
-        let time = start.elapsed();
-        let error = state::diagnose(&subject, &claim, &verdict);
-        decided();
-        DecidedClaim { claim, verdict, error, time }
-    };
-    let claims = claims.into_iter().map(decide).collect();
-    Decided { subject, obligations, claims, formulas: None, points: None }
+/// Decides all claims of a file, each in the first round that suffices for it.
+fn decide(items: Vec<Item>, run: &mut state::Run, decided: &dyn Fn()) -> Vec<Decided> {
+    let claims = items.iter().flat_map(|item| item.claims.iter().map(|claim| (&item.subject, claim)));
+    let claims: Vec<_> = claims.collect();
+    let mut times = vec![Duration::ZERO; claims.len()];
+    let mut verdicts: Vec<Option<Verdict>> = claims.iter().map(|_| None).collect();
+    let mut start = Instant::now();
+    run.decide_all(&claims, &mut |k, verdict| {
+        times[k] += start.elapsed();
+        if verdict.is_some() {
+            verdicts[k] = verdict;
+            decided();
+        }
+        start = Instant::now();
+    });
+    let mut verdicts = verdicts.into_iter().zip(times);
+    let mut decided = Vec::new();
+    for Item { subject, obligations, claims } in items {
+        let claims = claims.into_iter().zip(&mut verdicts).filter_map(|(claim, (verdict, time))| {
+            let verdict = verdict?;
+            let error = state::diagnose(&subject, &claim, &verdict);
+            Some(DecidedClaim { claim, verdict, error, time })
+        });
+        let claims = claims.collect();
+        decided.push(Decided { subject, obligations, claims, formulas: None, points: None });
+    }
+    decided
 }

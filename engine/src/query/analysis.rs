@@ -21,8 +21,8 @@ pub struct Analysis {
     pub diagnostics: Vec<Diagnostic>,
     /// The text and those it uses.
     pub sources: Sources,
-    /// The item and the claim that come next.
-    next: (usize, usize),
+    /// The round, the item and the claim that come next.
+    next: (usize, usize, usize),
     run: Run,
 }
 
@@ -58,24 +58,32 @@ impl Analysis {
         });
         let items = items.collect();
         let diagnostics = library.diagnostics().into_iter().chain(warnings).collect();
-        Self { items, diagnostics, sources: library.sources().clone(), next: (0, 0), run: Run::default() }
+        Self { items, diagnostics, sources: library.sources().clone(), next: (0, 0, 0), run: Run::default() }
     }
 
     /// Whether every claim is decided.
     pub fn is_done(&self) -> bool {
-        self.next.0 >= self.items.len()
+        self.next.0 >= Run::ROUNDS
     }
 
-    /// Decides the next claim; `false` when there is none.
+    /// Goes on with the next claim that is open, which may take several attempts; `false` when there is none.
     pub fn decide_next(&mut self) -> bool {
-        while let Some(item) = self.items.get_mut(self.next.0) {
-            let Some((claim, verdict)) = item.claims.get_mut(self.next.1) else {
-                self.next = (self.next.0 + 1, 0);
+        while !self.is_done() {
+            let (round, item, claim) = self.next;
+            let Some(item) = self.items.get_mut(item) else {
+                let open = self.items.iter().flat_map(|item| &item.claims).any(|(_, v)| v.is_none());
+                self.next = (if open { round + 1 } else { Run::ROUNDS }, 0, 0);
                 continue;
             };
-            *verdict = Some(self.run.decide(&item.subject, claim));
-            self.next.1 += 1;
-            return true;
+            let Some((claim, verdict)) = item.claims.get_mut(claim) else {
+                self.next = (round, self.next.1 + 1, 0);
+                continue;
+            };
+            self.next.2 += 1;
+            if verdict.is_none() {
+                *verdict = self.run.decide_in(round, &item.subject, claim);
+                return true;
+            }
         }
         false
     }

@@ -1,5 +1,6 @@
 //! The claims of a run together: each has a budget of its own, but a spec may have any number of claims.
 
+use basis_prover::collections::list::Listed;
 use basis_prover::{spent, within};
 
 use super::Verdict;
@@ -9,14 +10,12 @@ use crate::subject::Subject;
 /// Units of work for all decisions of a run.
 const UNITS: u64 = 100_000_000;
 
-/// What is kept for claims that are easy, however many hard ones stand before them.
-const RESERVE: u64 = 40_000_000;
+/// What a claim may take in each round. Nineteen of twenty claims about angles and exponentials are decided in the first two, as
+/// are nearly all about polynomials; together the rounds before the last one take a third of what that may take.
+const ROUNDS: [u64; 4] = [250_000, 1_000_000, 4_000_000, UNITS];
 
-/// What a claim may take of the reserve: nineteen of twenty claims about angles and exponentials need no more, nor do nearly all
-/// about polynomials.
-const EASY: u64 = 1_000_000;
-
-/// The work that is left for the claims of a run, which are decided one after the other.
+/// The work that is left for the claims of a run. These are decided in rounds, so that a hard claim takes nothing from an easy one,
+/// wherever they stand.
 #[derive(Debug)]
 pub struct Run {
     left: u64,
@@ -29,28 +28,53 @@ impl Default for Run {
 }
 
 impl Run {
+    /// How many rounds there are.
+    pub const ROUNDS: usize = ROUNDS.len();
+
     /// Whether nothing is left: further claims stay undecided.
     pub const fn is_spent(&self) -> bool {
         self.left == 0
     }
 
-    /// What the next claim may take: a quarter of what is left beyond the reserve, so that the claims after it have
-    /// the rest.
-    const fn share(&self) -> u64 {
-        let quarter = self.left.saturating_sub(RESERVE) / 4;
-        if quarter > EASY { quarter } else { EASY }
+    /// Decides a claim in one of the rounds, which are numbered from 0; `None` where a later one may do so.
+    pub fn decide_in(&mut self, round: usize, subject: &Subject, claim: &Claim) -> Option<Verdict> {
+        if self.is_spent() {
+            return Some(Verdict::Undecided(String::from(
+                "the other claims have used up the work of a whole run; check it in a spec of its own",
+            )));
+        }
+        // A quarter of what is left, so that the claims after it have the rest.
+        let quarter = core::cmp::max(self.left / 4, ROUNDS[0]);
+        let budget = subject.budget();
+        let units = core::cmp::min(*ROUNDS.get(round)?, quarter).saturating_mul(u64::from(budget));
+        let before = spent();
+        let verdict = self.counted_work(budget, &mut || within(units, &mut || super::decide(subject, claim)));
+        // What it did not take would not help either.
+        let is_final = round + 1 == Self::ROUNDS || spent() - before < units;
+        Some(verdict).filter(|v| is_final || !matches!(v, Verdict::Undecided(_)))
     }
 
-    /// Decides a claim.
+    /// Decides a claim alone, in the last round.
     pub fn decide(&mut self, subject: &Subject, claim: &Claim) -> Verdict {
-        if self.is_spent() {
-            return Verdict::Undecided(String::from(
-                "the claims before it have used up the work of a whole run; check it in a spec of its own",
-            ));
+        let verdict = self.decide_in(Self::ROUNDS - 1, subject, claim);
+        verdict.unwrap_or_else(|| Verdict::Undecided(String::from("there is no later round")))
+    }
+
+    /// Decides claims. After each attempt `said` gets the number of the claim and its verdict, or nothing if it comes up again.
+    pub fn decide_all(
+        &mut self,
+        claims: &[(&Subject, &Claim)],
+        said: &mut dyn FnMut(usize, Option<Verdict>),
+    ) {
+        let mut open = claims.iter().enumerate().listed();
+        for round in 0..Self::ROUNDS {
+            open.retain(|(k, (subject, claim))| {
+                let verdict = self.decide_in(round, subject, claim);
+                let again = verdict.is_none();
+                said(*k, verdict);
+                again
+            });
         }
-        let (budget, share) = (subject.budget(), self.share());
-        let units = share.saturating_mul(u64::from(budget));
-        self.counted_work(budget, &mut || within(units, &mut || super::decide(subject, claim)))
     }
 
     /// Counts other work of the provers, with `budget` times the usual work.
@@ -66,7 +90,14 @@ impl Run {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Item;
     use crate::{Library, Selected, Source};
+
+    fn decided(item: &Item, run: &mut Run) -> Vec<Verdict> {
+        let item = item.clone();
+        let checked = crate::decide_all(vec![item], run).remove(0);
+        checked.claims.into_iter().map(|(_, verdict)| verdict).collect()
+    }
 
     #[test]
     fn claims_share_the_work_of_a_run() {
@@ -76,8 +107,7 @@ mod tests {
         let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("hard.basis", &spec));
         let items = library.items(Selected::EveryOrder);
         let item = &items[0];
-        let decide =
-            |run: &mut Run| item.claims.iter().map(|c| run.decide(&item.subject, c)).collect::<Vec<_>>();
+        let decide = |run: &mut Run| decided(item, run);
         let mut whole = Run::default();
         assert!(decide(&mut whole).iter().all(|v| matches!(v, Verdict::Proved(_))));
         let one = (UNITS - whole.left) / 9;
@@ -104,11 +134,10 @@ mod tests {
         let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("hard.basis", spec));
         let items = library.items(Selected::EveryOrder);
         let item = &items[0];
-        // Nothing is left but the reserve.
-        let mut run = Run { left: RESERVE };
-        let verdicts: Vec<_> = item.claims.iter().map(|c| run.decide(&item.subject, c)).collect();
+        // Enough for the easy one and for the first rounds of the others.
+        let mut run = Run { left: 3_000_000 };
+        let verdicts = decided(item, &mut run);
         assert!(verdicts[..2].iter().all(|v| matches!(v, Verdict::Undecided(_))), "{verdicts:?}");
-        assert!(run.left >= RESERVE - 3 * EASY, "{}", run.left);
         assert!(matches!(verdicts[2], Verdict::Proved(_)), "{verdicts:?}");
     }
 }

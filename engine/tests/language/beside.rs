@@ -540,6 +540,8 @@ fn beside_powers_of_the_variable_over_the_end() {
                 b[1] = 1 - b[0] - b[2];
                 b[2] = (t - {sinh}(t))/(α - {sinh}(α));
                 prove b[1] <= 1;
+                prove b[1] < 1;
+                prove b[0] + b[2] >= 0;
                 prove b[2] <= (t/α)^2;
                 refute b[2] < (t/α)^2;
                 prove (α - t)^2 >= α^2*b[0];
@@ -558,8 +560,8 @@ fn beside_powers_of_the_variable_over_the_end() {
             "about 1.099e-9 at tanh(α/2) = 1/2, t = α",
             "about 0.093723 at tanh(α/2) = 1/2, tanh(t/2) = 3/8",
             "about -0.036915 at tanh(α/2) = 63/64, tanh(t/2) = 945/1024",
-            "about 0.008550 at tanh(α/2) = 1048575/1048576, tanh(t/2) = 1072692225/1073741824",
-            "about -5.227e-6 at tanh(α/2) = 5/256",
+            "about 0.002079 at tanh(α/2) = 1048575/1048576, tanh(t/2) = 66060225/67108864",
+            "about -4.640e-6 at tanh(α/2) = 1/64",
         ]
     );
     let circular = family("sin", "0 < α <= pi").replace("sinh(α)", "sin(α)").replace("sinh(t)", "sin(t)");

@@ -201,26 +201,21 @@ pub(in crate::model::expand) fn are_ordered(
             None => width.parts.push((*var, factor.clone(), false)),
         }
     }
-    if width.pi.is_negative() || width.number.is_negative() {
-        return false;
+    // The least value between the ends of the parameters, and whether it is taken.
+    let (mut number, mut pi, mut taken) = (width.number, width.pi, true);
+    for (var, factor, _) in width.parts.iter().filter(|(_, factor, _)| !factor.is_zero()) {
+        let Some(angle) = scope.analytic.angles.iter().find(|a| a.itself == *var) else { return false };
+        let Some(own) = known.iter().find(|p| p.var == angle.var) else { return false };
+        let side = usize::from(factor.is_negative());
+        let limit = Linear::of(&angle.limits[side], scope.analytic.pi);
+        let Some(limit) = limit.filter(|l| l.parts.is_empty() && !angle.ends[side].is_empty()) else {
+            return false;
+        };
+        number += &(factor * &limit.number);
+        pi += &(factor * &limit.pi);
+        taken &= [&own.range.low, &own.range.high][side].is_included();
     }
-    // Parameters with a range above 0.
-    let positive = |var: Var| {
-        let angle = scope.analytic.angles.iter().find(|a| a.itself == var);
-        // Between numbers its tangent is measured from the lower one.
-        let low = angle.and_then(|a| a.limits[0].as_constant()).filter(|low| !low.is_zero());
-        if let Some(low) = low {
-            return low.is_positive();
-        }
-        let range = known.iter().find(|p| angle.is_some_and(|a| a.var == p.var)).map(|p| &p.range);
-        range.is_some_and(|r| match &r.low {
-            End::Included(low) => low.is_positive(),
-            End::Excluded(low) => !low.is_negative(),
-            End::Infinite => false,
-        })
-    };
-    let some = width.pi.is_positive()
-        || width.number.is_positive()
-        || width.parts.iter().any(|(_, f, _)| f.is_positive());
-    some && width.parts.iter().all(|(var, f, _)| !f.is_negative() && positive(*var))
+    let (below, above) = pi_bounds();
+    let least = &number + &(&pi * if pi.is_negative() { &above } else { &below });
+    least.is_positive() || number.is_zero() && pi.is_zero() && !taken
 }

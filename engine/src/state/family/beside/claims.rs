@@ -7,7 +7,7 @@ use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, Counterexample, simple, within};
 
-use super::{Sample, sample};
+use super::{Sample, combination, sample};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
@@ -50,42 +50,102 @@ fn by_a_way<'f>(
     if matches!(saying, Saying::Plainly) {
         return None;
     }
-    let mut by = |way: usize| {
+    let value = premises::Positive::of(&part.1).reduced(&value.quotient());
+    let value = &Fraction::new(value.numerator, value.denominator)?;
+    let by = |way: usize, sample: &mut Option<Sample<'f>>| {
         if way != super::WIDER && sample.is_none() {
             *sample = basis_prover::working(family.budget, &mut |work| Sample::new(family, work));
         }
         let sample = sample.as_ref();
-        let value = premises::Positive::of(&part.1).reduced(&value.quotient());
-        let value = Fraction::new(value.numerator, value.denominator)?;
         let steps = basis_prover::working(family.budget, &mut |work| {
-            super::steps(family, of, &value, comparison, (way, sample), work)
+            super::steps(family, of, value, comparison, (way, sample), work)
         })?;
-        let mut all = Vec::new();
-        for step in steps {
-            let part = (part.0.clone(), step.domain(&part.1));
-            let (of, value) = without_numbers(family, step.of, family.analytic.reduced(step.value));
-            all.push((Stated::new(of.clone(), compared_on(&value, step.comparison, &part)?), of));
-        }
-        Some(all)
+        stated(family, steps, part)
     };
     match saying {
         Saying::Plainly => None,
-        Saying::Enough(ways) => by(ways.next().copied().unwrap_or(0)),
+        Saying::Enough(ways) => match ways.next().copied().unwrap_or(0) {
+            super::COMBINATION => combined(family, (of, value, comparison), part, sample, saying),
+            way => by(way, sample),
+        },
         Saying::By(way, count) => {
             **count += 1;
-            by(*way)
+            by(*way, sample)
         }
         Saying::Found(found) => {
-            let proved = |all: &Vec<(Stated, String)>| {
-                all.iter().all(|(s, _)| {
-                    basis_prover::decide(s.statement.clone(), &s.symmetries, family.budget).is_ok()
+            let first = |ways: core::ops::Range<usize>, sample: &mut Option<Sample<'f>>| {
+                ways.into_iter().find_map(|way| {
+                    by(way, sample).filter(|all| are_proved(all, family.budget)).map(|all| (way, all))
                 })
             };
-            let way = (0..super::COUNT).find_map(|way| by(way).filter(proved).map(|all| (way, all)));
+            let before = found.len();
+            found.push(0);
+            if let Some((way, all)) = first(0..2, sample) {
+                found[before] = way;
+                return Some(all);
+            }
+            found[before] = super::COMBINATION;
+            if let Some(all) =
+                combined(family, (of, value, comparison), part, sample, &mut Saying::Found(found))
+            {
+                return Some(all);
+            }
+            found.truncate(before);
+            let way = first(2..super::COMBINATION, sample);
             found.push(way.as_ref().map_or(0, |(way, _)| *way));
             way.map(|(_, all)| all)
         }
     }
+}
+
+/// The statements that steps make, with the names of what they are about.
+fn stated(
+    family: &Family,
+    steps: Vec<super::Step>,
+    part: &(Piece, Rc<Domain>),
+) -> Option<Vec<(Stated, String)>> {
+    let mut all = Vec::new();
+    for step in steps {
+        let part = (part.0.clone(), step.domain(&part.1));
+        let (of, value) = without_numbers(family, step.of, family.analytic.reduced(step.value));
+        all.push((Stated::new(of.clone(), compared_on(&value, step.comparison, &part)?), of));
+    }
+    Some(all)
+}
+
+fn are_proved(all: &[(Stated, String)], budget: u32) -> bool {
+    all.iter().all(|(s, _)| basis_prover::decide(s.statement.clone(), &s.symmetries, budget).is_ok())
+}
+
+/// What is enough for a combination of the functions of the family, each of these by a way of its own.
+fn combined<'f>(
+    family: &'f Family,
+    (of, value, comparison): (&str, &Fraction, Comparison),
+    part: &(Piece, Rc<Domain>),
+    sample: &mut Option<Sample<'f>>,
+    saying: &mut Saying<'_>,
+) -> Option<Vec<(Stated, String)>> {
+    let (value, strict) = match comparison {
+        Comparison::GreaterEqual => (value.clone(), false),
+        Comparison::Greater => (value.clone(), true),
+        Comparison::LessEqual => (-value, false),
+        Comparison::Less => (-value, true),
+        Comparison::Equal | Comparison::NotEqual => return None,
+    };
+    let parts = basis_prover::working(family.budget, &mut |work| combination::parts(family, &value, work))?;
+    let mut all = Vec::new();
+    for position in &parts {
+        let (label, function) = (family.function_label(*position), &family.functions[*position].value);
+        all.extend(by_a_way(family, (&label, function, Comparison::GreaterEqual), part, sample, saying)?);
+    }
+    if strict {
+        let sample = sample.as_ref()?;
+        let positive = basis_prover::working(family.budget, &mut |work| {
+            combination::positive(family, (of, &value), &parts, sample, work)
+        });
+        all.extend(stated(family, positive?, part).filter(|all| are_proved(all, family.budget))?);
+    }
+    Some(all)
 }
 
 /// A point at which a statement fails, and the proof that it does whatever π and exp(r) are between their bounds.

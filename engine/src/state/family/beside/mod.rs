@@ -6,12 +6,14 @@
 //! - for shape parameters in exponentials whose ranges end in numbers, what is enough without these ends;
 //! - the ladder of derivatives, with bounds for the parameters at the end of the domain in what it leaves, or with ladders in
 //!   these; also with the domain reversed;
-//! - bounds for the variable itself, exact where it is 0, or cell by cell at the nearest end.
+//! - bounds for the variable itself, exact where it is 0, or cell by cell at the nearest end;
+//! - as a combination of the functions of the family, each of which is ≥ 0.
 //!
 //! A claim is false where the value is not as claimed whatever the numbers are that its enclosures leave
 //! ([`refute`]).
 
 mod claims;
+mod combination;
 mod ladder;
 mod parameter;
 mod point;
@@ -101,6 +103,7 @@ enum Way {
     Cells(u32),
 }
 
+/// By their numbers in certificates, in the order in which they are tried.
 const WAYS: [Way; 10] = [
     Way::Wider,
     Way::Ladder(5),
@@ -114,12 +117,15 @@ const WAYS: [Way; 10] = [
     Way::Cells(9),
 ];
 
+/// The level of the first bounds.
+const LEVEL: u32 = 5;
+
 /// The positions of two of them.
 const WIDER: usize = 0;
 const LADDER: usize = 1;
 
-/// How many ways there are.
-const COUNT: usize = WAYS.len();
+/// The number of another way: as a combination of functions, whose own ways follow.
+const COMBINATION: usize = WAYS.len();
 
 /// The angles that stand in a function beside their sines.
 fn beside<'f>(family: &'f Family, value: &Fraction) -> Vec<&'f Angle> {
@@ -151,6 +157,7 @@ fn steps(
     let range = &family.domain.first()?.range;
     let own = family.analytic.angle(var).filter(|a| a.kind != Kind::Linear && value.depends_on(a.itself));
     let relation = if strict { Comparison::Greater } else { Comparison::GreaterEqual };
+    let way = WAYS.get(way)?;
     let (value, own) = match own.filter(|angle| !value.depends_on(angle.var)) {
         // Alone it runs from one end to the other as its tangent would.
         Some(angle) => (value.substitute(angle.itself, &angle.along(range)?)?, None),
@@ -158,7 +165,6 @@ fn steps(
     };
     let value = parameters_alone(family, value)?;
     let whole = Step::new(of.clone(), value.clone(), relation);
-    let way = WAYS.get(way)?;
     if beside(family, &value).is_empty() {
         // By the ways that are tried first, with and without ends of ranges.
         return matches!(way, Way::Wider | Way::Ladder(_)).then(|| vec![whole]);
@@ -204,9 +210,7 @@ fn steps(
         let other = matches!(way, Way::Parameter(_) | Way::Mirrored(_))
             .then(|| parameter::instead(family, &step, sample, work));
         let steps = other.flatten().inspect(|_| changed = true).unwrap_or_else(|| vec![step]);
-        for step in steps {
-            all.extend(bounded(family, step, level, sample, work)?);
-        }
+        all.extend(all_bounded(family, steps, level, sample, work)?);
     }
     // Without a ladder along a parameter it is what was tried before.
     (changed || !matches!(way, Way::Parameter(_))).then_some(all)
@@ -339,6 +343,21 @@ fn in_the_tangent(family: &Family, angle: &Angle, step: &Step) -> Option<(Step, 
     ranges.push((angle.var, Range::closed(low, high)));
     let local = Angle { low: Fraction::zero(), width: Fraction::constant(Rational::ONE), ..angle.clone() };
     Some((Step { value, ranges, half: None, ..step.clone() }, local))
+}
+
+/// The statements about some steps in which bounds stand in place of the angles themselves.
+fn all_bounded(
+    family: &Family,
+    found: Vec<Step>,
+    level: u32,
+    sample: &Sample<'_>,
+    work: &mut Work,
+) -> Option<Vec<Step>> {
+    let mut all = Vec::new();
+    for step in found {
+        all.extend(bounded(family, step, level, sample, work)?);
+    }
+    Some(all)
 }
 
 /// The statements about a step in which bounds stand in place of the angles themselves.
