@@ -12,6 +12,7 @@ from algebra import rank
 from angles import Constant, replace_ends
 from domains import TINY, floats, is_zero, number, square_sum
 from formula import Derivative, Formula, Member, Name, Number, formula, to_float
+from polynomials import Poly
 
 
 class Claim:
@@ -29,18 +30,19 @@ def relation_claim(r, own, f, relation, g):
 def decided(own, relation, f):
     """Whether f ≥ 0 (> 0) on an interval, or f = 0; `None` where sympy is not asked."""
     if own.simplices and relation == '=':
-        return sympy.expand(f.eval(own.symbols())) == 0
+        return Poly.of(f.eval(own.polynomials())).is_zero()
     if own.kind not in ('poly', 'raise') or own.shapes and relation != '=':
         return None
-    t = sympy.Symbol('t')
-    symbols = {n: sympy.Symbol(n) for n in own.shapes}
-    p = sympy.expand(f.eval({'t': t, **symbols}))
+    p = Poly.of(f.eval(own.polynomials()))
     if relation == '=':
-        return p == 0
+        return p.is_zero()
     s = own.domain['t']
-    q = sympy.Poly(p, t)
-    if q.is_zero:
+    if p.is_zero():
         return relation != '>'
+    if p.number() is not None:
+        return p.number() > 0
+    t = sympy.Symbol('t')
+    q = sympy.Poly([rational(c.number()) for c in p.coefficients('t')[::-1]], t)
     low, high = sympy.Rational(str(s.low)), sympy.Rational(str(s.high))
     # One number between any two neighbouring roots in the range, and the ends.
     square_free = sympy.Poly(sympy.quo(q, sympy.gcd(q, q.diff(t)), t), t)
@@ -52,6 +54,11 @@ def decided(own, relation, f):
         return False
     zeros = len(roots) + (s.low_in and q.eval(low) == 0) + (s.high_in and q.eval(high) == 0)
     return relation != '>' or zeros == 0
+
+
+def rational(x):
+    x = Fraction(x)
+    return sympy.Rational(x.numerator, x.denominator)
 
 
 def claims(r, own):
@@ -141,16 +148,15 @@ def claims(r, own):
             g = r.choice([k, m, m - k, k * m, k * k + m * m, m * m - k, *[x for _, x in own.conditions]])
             result.append(relation_claim(r, own, g, r.choice(['>=', '>', '=']), formula(number(r))))
         elif kind == 'integral' and own.kind in ('related', 'spans', 'knots', 'poly', 'box', 'indexed'):
-            value = own.integral(f) + r.choice([0, 0, sympy.Rational(1, 1000)])
-            truth = sympy.expand(value - own.integral(f)) == 0
-            text = str(value).replace('**', '^')
-            result.append(Integrated(f'integral({f.text()}) = {text}', [], truth))
+            extra = r.choice([0, 0, Fraction(1, 1000)])
+            text = (own.integral(f) + extra).text()
+            result.append(Integrated(f'integral({f.text()}) = {text}', [], not extra))
         elif kind == 'integral':
-            value = own.integral(f)
-            if not value.free_symbols:
-                value = Fraction(str(value)) + r.choice([0, 0, Fraction(1, 1000)])
-                truth = own.integral(f) == sympy.Rational(str(value))
-                result.append(Claim(f'integral({f.text()}) = {Number(value).text()}', [('=', Integral(own, f, value), {})], truth))
+            value = own.integral(f).number()
+            if value is not None:
+                extra = r.choice([0, 0, Fraction(1, 1000)])
+                text = f'integral({f.text()}) = {Number(value + extra).text()}'
+                result.append(Claim(text, [('=', Number(-extra), {})], not extra))
         elif kind == 'swap':
             # The function with two coordinates of a simplex exchanged, written with arguments.
             names = r.choice(own.simplices)
@@ -221,16 +227,6 @@ class Moved(Formula):
         return self.f.eval({**env, **{n: g.eval(env) for n, g in self.by.items()}})
 
 
-class Integral(Formula):
-    """The integral of f over the domain, less a number."""
-
-    def __init__(self, own, f, value):
-        self.x = own.integral(f) - sympy.Rational(str(value))
-
-    def eval(self, env):
-        return Fraction(str(self.x))
-
-
 class Fixed(dict):
     """A value of a domain variable; on a simplex the others are scaled to what it leaves."""
 
@@ -282,15 +278,15 @@ class Smooth(Claim):
     def __init__(self, own, order):
         super().__init__(f'smooth({order})', [])
         self.own, self.order = own, order
-        t = sympy.Symbol('t')
-        symbols = {n: sympy.Symbol(n) for n in own.shapes}
+        at = Poly.variables([*own.shapes, 't'])
         agree = []
         for formulas in own.functions.values():
-            pieces = [sympy.expand(p.eval({'t': t, **symbols})) for p in formulas]
+            pieces = [Poly.of(p.eval(at)) for p in formulas]
             for knot, a, b in zip(own.knots[1:-1], pieces, pieces[1:]):
-                x = knot.eval(symbols) if hasattr(knot, 'eval') else sympy.Rational(str(knot))
-                for k in range(order + 1):
-                    agree.append(sympy.simplify(sympy.diff(a - b, t, k).subs(t, x)) == 0)
+                x, difference = knot.eval(at) if hasattr(knot, 'eval') else knot, a - b
+                for _ in range(order + 1):
+                    agree.append(difference.put('t', x).is_zero())
+                    difference = difference.derivative('t')
         self.truth = all(agree)
 
 
@@ -307,15 +303,22 @@ class Continuity(Claim):
         given = r.choice([{}, {'k': 'm'}, {'m': 'k'}, {'k': 'm', 'm': 'k'}, {'k': 'k', 'm': 'm'}])
         name = ', '.join(f'{a} = {b}' for a, b in given.items())
         super().__init__(f'continuity({order})' + (f' with {name}' if given else ''), [])
-        t = sympy.Symbol('t')
-        here = {n: sympy.Symbol(n) for n in own.shapes}
-        there = {n: here[given[n]] if n in given else sympy.Symbol(f'next_{n}') for n in own.shapes}
-        ends = lambda shapes, x: [[sympy.expand(sympy.diff(f.eval({'t': t, **shapes}), t, k).subs(t, x)) if k else
-                                   sympy.expand(sympy.sympify(f.eval({'t': t, **shapes})).subs(t, x))
-                                   for k in range(order + 1)] for f in own.functions.values()]
-        none = [[sympy.Integer(0)] * (order + 1)]
+        here = Poly.variables([*own.shapes, 't'])
+        free = Poly.variables([f'next_{n}' for n in own.shapes])
+        there = {'t': here['t'], **{n: here[given[n]] if n in given else free[f'next_{n}'] for n in own.shapes}}
+
+        def ends(at, x):
+            rows = []
+            for f in own.functions.values():
+                derivatives = [Poly.of(f.eval(at))]
+                for _ in range(order):
+                    derivatives.append(derivatives[-1].derivative('t'))
+                rows.append([d.put('t', x) for d in derivatives])
+            return rows
+
+        none = [[Poly({})] * (order + 1)]
         before, after = none + ends(there, 0), ends(here, 1) + none
-        self.truth = all(sympy.expand(a - b) == 0 for x, y in zip(before, after) for a, b in zip(x, y))
+        self.truth = all((a - b).is_zero() for x, y in zip(before, after) for a, b in zip(x, y))
 
 
 class SmoothArcs(Smooth):
@@ -360,6 +363,10 @@ class TotallyPositive(Claim):
         return None
 
 
+def has_floats(rows):
+    return any(isinstance(x, mpmath.mpf) for row in rows for x in row)
+
+
 class Independent(Claim):
     """The functions are independent: by ranks of tables of values."""
 
@@ -371,13 +378,17 @@ class Independent(Claim):
 
     def exact(self):
         """By the common roots of the maximal minors of the table of coefficients."""
-        t, k = sympy.Symbol('t'), sympy.Symbol('k')
-        own = self.own
-        polys = [sympy.Poly(m.eval({'t': t, 'k': k}), t) for m in own.members()]
-        width = max(p.degree() for p in polys if not p.is_zero) + 1 if any(not p.is_zero for p in polys) else 0
+        k, own = sympy.Symbol('k'), self.own
+        polys = [Poly.of(m.eval(own.polynomials())).coefficients('t') for m in own.members()]
+        width = max(map(len, polys))
+        polys = [p + [Poly({})] * (width - len(p)) for p in polys]
+        numbers = [[c.number() for c in p] for p in polys]
+        if all(c is not None for row in numbers for c in row):
+            return rank(numbers) == len(polys)
         if width < len(polys):
             return False
-        rows = sympy.Matrix([[p.coeff_monomial(t**e) for e in range(width)] for p in polys])
+        rows = sympy.Matrix([[sum(rational(c.number()) * k**e for e, c in enumerate(p.coefficients('k')))
+                              for p in row] for row in polys])
         common = sympy.Integer(0)
         for columns in combinations(range(width), len(polys)):
             common = sympy.gcd(common, sympy.expand(rows[:, list(columns)].det()))
@@ -398,11 +409,14 @@ class Independent(Claim):
         """Whether the values at many points have full rank; of floats, whether they clearly have or lack it."""
         own, rows = self.own, []
         members = own.members()
-        for _ in range(12 + 4 * len(members)):
+        for count in range(12 + 4 * len(members)):
             env = {**own.sample(r), **shapes}
             env = floats(own, env)
             rows.append([m.eval(env) for m in members])
-        if any(isinstance(x, mpmath.mpf) for row in rows for x in row):
+            # A few points are enough where the rank is full.
+            if count == len(members) + 1 and not has_floats(rows) and rank(rows) == len(members):
+                return True
+        if has_floats(rows):
             matrix = mpmath.matrix([[to_float(x) for x in row] for row in rows])
             least = min(mpmath.svd_r(matrix, compute_uv=False))
             return least > mpmath.mpf(10) ** -25

@@ -3,9 +3,9 @@
 from fractions import Fraction
 
 import mpmath
-import sympy
 
 from formula import Member, Name, formula, to_float
+from polynomials import Poly
 
 mpmath.mp.dps = 60
 TINY = mpmath.mpf(10) ** -40
@@ -156,20 +156,20 @@ class Family:
 
     def integral(self, f):
         """The integral of a polynomial over the domain, as a polynomial in the shape parameters."""
-        x = sympy.expand(f.eval(self.symbols()))
+        x = Poly.of(f.eval(self.polynomials()))
         for n, s in self.domain.items():
             if not any(n in names for names in self.simplices):
-                x = sympy.integrate(x, (n, sympy.Rational(str(s.low)), sympy.Rational(str(s.high))))
+                x = x.integral(n, s.low, s.high)
         for names in self.simplices:
-            rest = sympy.Integer(1) - sum(map(sympy.Symbol, names[:-1]))
+            rest = 1 - sum(Poly.variables(names[:-1]).values())
             for n in names[-2::-1]:
-                rest = rest + sympy.Symbol(n)
-                x = sympy.integrate(x, (n, 0, rest))
-        return sympy.expand(x)
+                rest = rest + Poly.variables([n])[n]
+                x = x.integral(n, 0, rest)
+        return x
 
-    def symbols(self):
-        """Symbols for all variables, of each simplex the last one expressed by the others."""
-        at = {n: sympy.Symbol(n) for n in [*self.domain, *self.shapes]}
+    def polynomials(self):
+        """All variables as polynomials, of each simplex the last one expressed by the others."""
+        at = Poly.variables([*self.domain, *self.shapes])
         for names in self.simplices:
             at[names[-1]] = 1 - sum(at[n] for n in names[:-1])
         return at
@@ -182,13 +182,12 @@ class Spans(Family):
         return [k for k, (low, high) in enumerate(zip(self.knots, self.knots[1:])) if low <= env['t'] <= high]
 
     def integral(self, f):
-        t, at = sympy.Symbol('t'), {n: sympy.Symbol(n) for n in self.shapes}
+        at = Poly.variables([*self.shapes, 't'])
         ends = [k.eval(at) if hasattr(k, 'eval') else k for k in self.knots]
-        ends = [sympy.sympify(str(x)) for x in ends]
-        total = sympy.Integer(0)
+        total = Poly({})
         for span, (low, high) in enumerate(zip(ends, ends[1:])):
-            total += sympy.integrate(sympy.expand(f.eval({**at, 't': t, 'span': span})), (t, low, high))
-        return sympy.cancel(sympy.together(total))
+            total = total + Poly.of(f.eval({**at, 'span': span})).integral('t', low, high)
+        return total
 
     def function(self, index, env):
         x, formulas = env[self.variable], self.functions[index]

@@ -2,11 +2,10 @@
 
 from fractions import Fraction
 
-import sympy
-
 from angles import Arcs, arcs, turns
 from domains import TINY, Family, Range, Spans, binomial, holds, number, polynomial
 from formula import Call, Member, Name, Number, formula, to_float
+from polynomials import Poly
 
 
 class Related(Family):
@@ -48,11 +47,10 @@ class Related(Family):
         return shapes and self.domain['t'].contains(env['t'])
 
     def integral(self, f):
-        t = sympy.Symbol('t')
-        x = sympy.expand(f.eval(self.symbols()))
+        at = self.polynomials()
         s = self.domain.get('t')
-        low, high = map(sympy.Symbol, self.between) if self.between else (sympy.Rational(str(e)) for e in (s.low, s.high))
-        return sympy.expand(sympy.integrate(x, (t, low, high)))
+        low, high = (at[n] for n in self.between) if self.between else (s.low, s.high)
+        return Poly.of(f.eval(at)).integral('t', low, high)
 
 
 def related(r, own):

@@ -438,7 +438,8 @@ Record fn := Fn {
 }.
 
 (** Formulas: [Var 0], [Var 1], ... are variables; [Der e a] is the derivative of e in a new variable, which is
-    [Var 0] in e and before the others, where it has the value a. *)
+    [Var 0] in e and before the others, where it has the value a; [Int e a b] is the integral of e in such a variable
+    from a to b. *)
 Inductive expr :=
   | Num (z : Z)
   | Var (n : nat)
@@ -449,7 +450,8 @@ Inductive expr :=
   | Quot (a b : expr)
   | Pow (e : expr) (n : nat)
   | App (f : fn) (args : list expr)
-  | Der (e a : expr).
+  | Der (e a : expr)
+  | Int (e a b : expr).
 
 Fixpoint eval (e : expr) (env : list R) : R :=
   match e with
@@ -463,6 +465,7 @@ Fixpoint eval (e : expr) (env : list R) : R :=
   | Pow e n => eval e env ^ n
   | App f args => apply f (map (fun a => eval a env) args)
   | Der e a => Derive (fun x => eval e (x :: env)) (eval a env)
+  | Int e a b => RInt (fun x => eval e (x :: env)) (eval a env) (eval b env)
   end.
 
 Section ExprInduction.
@@ -477,6 +480,7 @@ Section ExprInduction.
   Hypothesis HPow : forall e n, T e -> T (Pow e n).
   Hypothesis HApp : forall f args, Forall T args -> T (App f args).
   Hypothesis HDer : forall e a, T e -> T a -> T (Der e a).
+  Hypothesis HInt : forall e a b, T e -> T a -> T b -> T (Int e a b).
   Fixpoint expr_all (e : expr) : T e :=
     match e with
     | Num z => HNum z
@@ -490,6 +494,7 @@ Section ExprInduction.
     | App f args => HApp f args ((fix all l : Forall T l :=
         match l with [] => Forall_nil T | e :: l => Forall_cons e (expr_all e) (all l) end) args)
     | Der e a => HDer e a (expr_all e) (expr_all a)
+    | Int e a b => HInt e a b (expr_all e) (expr_all a) (expr_all b)
     end.
 End ExprInduction.
 
@@ -558,6 +563,66 @@ Proof.
   apply Rmult_integral_contrapositive_currified; [assumption | apply Rinv_neq_0_compat, D].
 Qed.
 
+(** A polynomial without the first variable, in the others; nothing where the first variable occurs. *)
+Definition rest (p : pol) : option pol := match coefs p with [] => Some (C 0) | [c] => Some c | _ => None end.
+
+Lemma rest_ok p q x env : rest p = Some q -> ev p (x :: env) = ev q env.
+Proof.
+  unfold rest. rewrite (coefs_ok p). destruct (coefs p) as [|c [|d l]]; intros H; try discriminate;
+    injection H as <-; simpl; [rewrite Q2R_0|]; ring.
+Qed.
+
+(** A polynomial without the first variable, and 0, which must not vanish and does, where the first variable occurs. *)
+Definition rests (l : list pol) : list pol := map (fun c => match rest c with Some q => q | None => C 0 end) l.
+
+Lemma rests_ok l env : Forall (nz env) (rests l) -> forall x, Forall (nz (x :: env)) l.
+Proof.
+  intros H x. induction l as [|c l IH]; constructor; inversion H; subst; auto.
+  unfold nz in *. destruct (rest c) as [q|] eqn:E.
+  - rewrite (rest_ok c q x env E). assumption.
+  - simpl in *. exfalso. apply H2, Q2R_0.
+Qed.
+
+(** What has c0 + c1 x + ... as its derivative in the first variable: that it does is tested where it is used. *)
+Fixpoint raised (k : positive) (l : list pol) : list pol :=
+  match l with [] => [] | c :: l => times (1 # k) c :: raised (Pos.succ k) l end.
+Definition primitive (p : pol) : pol := shift (mk (raised 1 (coefs p))).
+
+(** The integral of n/d from a to b, if d does not contain the variable. *)
+Definition fint (f a b : frac) : option (frac * pol) :=
+  let p := primitive (num f) in
+  match rest (den f) with
+  | Some d => if is0 (sub (dp p) (num f))
+              then Some (fdiv (fadd (comp1 p b) (fopp (comp1 p a))) (fpol d), d) else None
+  | None => None
+  end.
+
+Lemma fint_ok f a b env x y r d : is a env x -> is b env y -> fint f a b = Some (r, d) -> ev d env <> 0 ->
+  is_RInt (fun t => val f (t :: env)) x y (val r env) /\ ok r env.
+Proof.
+  unfold fint. intros Ha Hb H N. destruct (rest (den f)) as [q|] eqn:E; [|discriminate].
+  destruct (is0 (sub (dp (primitive (num f))) (num f))) eqn:Z; [|discriminate]. injection H as <- <-.
+  set (p := primitive (num f)) in *.
+  assert (D : forall t : R, is_derive (fun t : R => ev p (t :: env) / ev q env) t (val f (t :: env))).
+  { intros t. pose proof (is0_ok _ (t :: env) Z) as S. rewrite sub_ok in S. evar_last.
+    - apply (is_derive_div (fun t => ev p (t :: env)) (fun _ => ev q env) t _ _ (dp_ok p t env)
+        (is_derive_const (V := R_NormedModule) _ _) N).
+    - unfold val. rewrite (rest_ok _ _ t env E). unfold zero; simpl.
+      replace (ev (dp p) (t :: env)) with (ev (num f) (t :: env)) by lra. real. field. assumption. }
+  assert (I : is_RInt (fun t => val f (t :: env)) x y (minus (G := R_AbelianGroup) (ev p (y :: env) / ev q env) (ev p (x :: env) / ev q env))).
+  { apply (is_RInt_derive (V := R_CompleteNormedModule) (fun t => ev p (t :: env) / ev q env)); [intros t _; apply D|].
+    intros t _. apply continuous_ext with (f := fun t => ev (num f) (t :: env) * / ev q env).
+    - intros u. unfold val. rewrite (rest_ok _ _ u env E). reflexivity.
+    - apply (continuous_mult (K := R_AbsRing)); [apply ev_continuous | apply continuous_const]. }
+  assert (V : is (fdiv (fadd (comp1 p b) (fopp (comp1 p a))) (fpol q)) env
+    ((ev p (y :: env) + - ev p (x :: env)) / ev q env)).
+  { apply fdiv_ok; [apply fadd_ok; [|apply fopp_ok]; apply comp1_ok; assumption | apply fpol_ok | exact N]. }
+  destruct V as [V W]. split; [|exact V]. rewrite W.
+  replace ((ev p (y :: env) + - ev p (x :: env)) / ev q env)
+    with (minus (ev p (y :: env) / ev q env) (ev p (x :: env) / ev q env)); [exact I|].
+  unfold minus, plus, Hierarchy.opp; simpl. real. field. assumption.
+Qed.
+
 Fixpoint norm (e : expr) : norm_result :=
   match e with
   | Num z => Res (fpol (C (Qmake z 1))) []
@@ -579,6 +644,12 @@ Fixpoint norm (e : expr) : norm_result :=
       let r := norm e in let s := norm a in
       let d := fder (fr r) in
       Res (fdiv (comp1 (num d) (fr s)) (comp1 (den d) (fr s))) (joins (at_first (fr s) (cs r)) (cs s))
+  | Int e a b =>
+      let r := norm e in let s := norm a in let t := norm b in
+      match fint (fr r) (fr s) (fr t) with
+      | Some (f, d) => Res f (join d (joins (rests (cs r)) (joins (cs s) (cs t))))
+      | None => Res (fpol (C 0)) [C 0]
+      end
   end.
 
 Lemma numerator_not f env x : is f env x -> x <> 0 -> ev (num f) env <> 0.
@@ -618,11 +689,23 @@ Proof.
   revert L. apply filter_imp. intros y Hy. apply IH, Hy.
 Qed.
 
+(** A formula has an integral, that of its quotient. *)
+Lemma int_ok e a b x y r d env :
+  (forall env, Forall (nz env) (cs (norm e)) -> is (fr (norm e)) env (eval e env)) ->
+  is a env x -> is b env y -> fint (fr (norm e)) a b = Some (r, d) -> ev d env <> 0 ->
+  Forall (nz env) (rests (cs (norm e))) ->
+  is_RInt (fun t => eval e (t :: env)) x y (val r env) /\ ok r env.
+Proof.
+  intros IH Ha Hb E N H. destruct (fint_ok _ _ _ _ _ _ _ _ Ha Hb E N) as [I K]. split; [|exact K].
+  apply is_RInt_ext with (f := fun t => val (fr (norm e)) (t :: env)); [|exact I].
+  intros t _. apply IH, rests_ok, H.
+Qed.
+
 (** The quotient of a formula is its value wherever nothing vanishes that must not. *)
 Theorem norm_ok e : forall env, Forall (nz env) (cs (norm e)) -> is (fr (norm e)) env (eval e env).
 Proof.
   induction e as [z | n | e IH | a b IHa IHb | a b IHa IHb | a b IHa IHb | a b IHa IHb | e n IH
-                 | f args IH | e a IHe IHa] using expr_all; intros env H; simpl in *.
+                 | f args IH | e a IHe IHa | e a b IHe IHa IHb] using expr_all; intros env H; simpl in *.
   - rewrite <- Q2R_IZR. apply (fpol_ok (C _)).
   - rewrite <- var_ok. apply fpol_ok.
   - apply fopp_ok, IH, H.
@@ -646,6 +729,11 @@ Proof.
     rewrite V. unfold val.
     apply fdiv_ok; [apply comp1_ok, IHa | apply comp1_ok, IHa |].
     eapply numerator_not; [apply comp1_ok, IHa | exact K].
+  - destruct (fint (fr (norm e)) (fr (norm a)) (fr (norm b))) as [[f d]|] eqn:E; simpl in *.
+    + apply join_ok in H as [N H]. apply joins_ok in H as [H I]. apply joins_ok in I as [I J].
+      destruct (int_ok e _ _ _ _ _ _ env IHe (IHa env I) (IHb env J) E N H) as [D K].
+      split; [exact K | symmetry; apply is_RInt_unique, D].
+    + exfalso. inversion H; subst. apply H2. simpl. apply Q2R_0.
 Qed.
 
 (** * Signs *)
@@ -1151,6 +1239,21 @@ Qed.
 Theorem equal_by rs by_ a b env :
   prove_zero rs by_ (Diff a b) = true -> inbox rs env -> eval a env = eval b env.
 Proof. intros H B. pose proof (zero_by _ _ _ _ H B) as Z. simpl in Z. lra. Qed.
+
+(** The integral of e from a to b is r. *)
+Theorem integral_by rs by_ e a b r env :
+  prove_zero rs by_ (Diff (Int e a b) r) = true -> inbox rs env ->
+  is_RInt (fun x => eval e (x :: env)) (eval a env) (eval b env) (eval r env).
+Proof.
+  intros H B. rewrite <- (equal_by rs by_ (Int e a b) r env H B).
+  unfold prove_zero in H. apply andb_prop in H as [H _]. apply (defined_ok _ _ _ env) in H; auto.
+  simpl in H. apply joins_ok in H as [H _].
+  destruct (fint (fr (norm e)) (fr (norm a)) (fr (norm b))) as [[f d]|] eqn:E; simpl in H.
+  - apply join_ok in H as [N H]. apply joins_ok in H as [H I]. apply joins_ok in I as [I J].
+    destruct (int_ok e _ _ _ _ _ _ env (norm_ok e) (norm_ok a env I) (norm_ok b env J) E N H) as [D _].
+    simpl. rewrite (is_RInt_unique _ _ _ _ D). exact D.
+  - exfalso. inversion H; subst. apply H2. simpl. apply Q2R_0.
+Qed.
 
 (** A formula has a derivative, and this is its value. *)
 Theorem derivative_by rs by_ e a r env :

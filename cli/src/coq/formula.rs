@@ -44,6 +44,18 @@ impl Writer<'_> {
         format!("is_derive {function} {} {}", self.argument(at), self.argument(value))
     }
 
+    /// That a function has an integral between bounds, and which.
+    pub(super) fn integrated(
+        &self,
+        body: &Term,
+        bound: usize,
+        [low, high]: [&Term; 2],
+        value: &Term,
+    ) -> String {
+        let function = self.function(body, bound, &mut Vec::new());
+        format!("is_RInt {function} {} {} {}", self.argument(low), self.argument(high), self.argument(value))
+    }
+
     /// What is differentiated, as a function.
     pub(super) fn derived_function(&self, body: &Term, bound: usize) -> String {
         self.function(body, bound, &mut Vec::new())
@@ -61,7 +73,7 @@ impl Writer<'_> {
         if binding < wanted { format!("({text})") } else { text }
     }
 
-    /// `around` has the variables of the derivatives around, the outermost first.
+    /// `around` has the variables of the derivatives and integrals around, the outermost first.
     fn parts(&self, term: &Term, around: &mut Vec<usize>) -> (String, Binding) {
         match term {
             Term::Number(n) => (number(n), Binding::Atom),
@@ -124,6 +136,11 @@ impl Writer<'_> {
                     Binding::Application,
                 )
             }
+            Term::Integral { body, bound, low, high } => {
+                let function = self.function(body, *bound, around);
+                let [low, high] = [low, high].map(|end| self.at_least(end, Binding::Atom, around));
+                (format!("RInt {function} {low} {high}"), Binding::Application)
+            }
         }
     }
 
@@ -153,10 +170,14 @@ impl Writer<'_> {
             Term::Derivative { body, bound, at } => {
                 format!("(Der {} {})", self.body(body, *bound, env), self.data(at, env))
             }
+            Term::Integral { body, bound, low, high } => {
+                let body = self.body(body, *bound, env);
+                format!("(Int {body} {} {})", self.data(low, env), self.data(high, env))
+            }
         }
     }
 
-    /// What is differentiated as data: its variable is the first.
+    /// What is differentiated or integrated as data: its variable is the first.
     pub(super) fn body(&self, body: &Term, bound: usize, env: &[usize]) -> String {
         self.data(body, &[&[bound], env].concat())
     }
@@ -180,7 +201,7 @@ impl Writer<'_> {
     }
 }
 
-/// The variable of a derivative, by how many are around each other.
+/// The variable of a derivative or integral, by how many are around each other.
 fn inner(depth: usize) -> String {
     format!("x{}", "'".repeat(depth))
 }

@@ -108,7 +108,13 @@ impl Export {
             let obligations: Vec<&Obligation> =
                 family.obligations.iter().chain(&decided.obligations).collect();
             // On a simplex one of the coordinates is expressed by the others.
-            if family.simplices.is_empty() && quotients::cancel(family, formulas, &obligations) {
+            let cancel = |family: &Family, functions: &[usize]| {
+                family.simplices.is_empty() && quotients::cancel(family, formulas, functions, &obligations)
+            };
+            let spans = family.pieces.iter().zip(&formulas.spans);
+            if spans.into_iter().any(|(piece, functions)| cancel(piece, functions))
+                || family.pieces.is_empty() && cancel(family, &formulas.functions)
+            {
                 let why = "a quotient that is brought into lowest terms";
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;
@@ -219,12 +225,12 @@ impl Text {
         let mut identifiers = Names::default();
         let names: Vec<String> = family.names.iter().map(|name| identifiers.give(name)).collect();
         let title = decided.subject.title();
-        let given = |names: &mut Names, definition: &Definition| {
-            if definition.family == title {
-                names.give(&definition.name)
-            } else {
+        let given = |names: &mut Names, definition: &Definition| match definition.span {
+            _ if definition.family != title => {
                 names.give(&format!("{}_{}", identifier(&definition.family), definition.name))
             }
+            Some(k) => names.give(&format!("{}_span_{}", identifier(&definition.name), k + 1)),
+            None => names.give(&definition.name),
         };
         let definitions = formulas.definitions.iter().map(|d| given(&mut identifiers, d)).collect();
         let written = beginning(&title, &outcome.path);

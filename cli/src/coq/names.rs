@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 /// Words and names that have a meaning in the files that are written: keywords of Coq, and what statements and proofs
 /// mention without a module in front.
-const TAKEN: [&str; 72] = [
+const TAKEN: [&str; 76] = [
     "App",
     "Cut",
     "Definition",
@@ -18,6 +18,7 @@ const TAKEN: [&str; 72] = [
     "IZR",
     "Incl",
     "Inf",
+    "Int",
     "Lemma",
     "Num",
     "Opp",
@@ -30,6 +31,7 @@ const TAKEN: [&str; 72] = [
     "Qed",
     "Quot",
     "R",
+    "RInt",
     "Set",
     "Square",
     "Sum",
@@ -60,7 +62,9 @@ const TAKEN: [&str; 72] = [
     "fun",
     "if",
     "in",
+    "integral_by",
     "is",
+    "is_RInt",
     "is_derive",
     "le_by",
     "let",

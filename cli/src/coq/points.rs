@@ -527,6 +527,13 @@ fn variables(term: &Term, found: &mut Vec<usize>) {
             found.extend(inner.into_iter().filter(|v| v != bound));
             variables(at, found);
         }
+        Term::Integral { body, bound, low, high } => {
+            let mut inner = Vec::new();
+            variables(body, &mut inner);
+            found.extend(inner.into_iter().filter(|v| v != bound));
+            variables(low, found);
+            variables(high, found);
+        }
     }
 }
 

@@ -12,7 +12,14 @@ use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement};
 
 /// Whether a formula divides by a polynomial that vanishes on the domain, because its zeros cancel; also if nothing shows that
 /// it does not, or that takes too much work to see.
-pub(super) fn cancel(family: &Family, formulas: &Formulas, obligations: &[&Obligation]) -> bool {
+///
+/// `functions` are those of the family, or of one of its spans.
+pub(super) fn cancel(
+    family: &Family,
+    formulas: &Formulas,
+    functions: &[usize],
+    obligations: &[&Obligation],
+) -> bool {
     if !formulas.definitions.iter().any(|d| divides(&d.value)) {
         return false;
     }
@@ -28,7 +35,7 @@ pub(super) fn cancel(family: &Family, formulas: &Formulas, obligations: &[&Oblig
         let Some(read) = reader.definition(&definition.value) else { return true };
         reader.read.push(read);
     }
-    formulas.functions.iter().any(|f| {
+    functions.iter().any(|f| {
         let own = formulas.definitions[*f].parameters.iter();
         let places: Option<Vec<Var>> =
             own.map(|p| family.names.iter().position(|name| name == p).map(Var)).collect();
@@ -52,6 +59,63 @@ fn divides(term: &Term) -> bool {
             .any(|(role, x)| *role == Role::Divisor && !matches!(x, Term::Number(_)) || divides(x)),
         Term::Call(_, args) => args.iter().any(divides),
         Term::Derivative { body, at, .. } => divides(body) || divides(at),
+        Term::Integral { body, low, high, .. } => divides(body) || divides(low) || divides(high),
+    }
+}
+
+/// Whether a formula has an integral of something that is divided by its variable, for which `Basis.v` computes no
+/// antiderivative.
+pub(super) fn integrated(term: &Term, formulas: &Formulas) -> bool {
+    match term {
+        Term::Number(_) | Term::Variable(_) | Term::Pi => false,
+        Term::Neg(x) | Term::Power(x, _) | Term::Circular(_, x) => integrated(x, formulas),
+        Term::Sum(parts) => parts.iter().any(|(_, x)| integrated(x, formulas)),
+        Term::Product(parts) => parts.iter().any(|(_, x)| integrated(x, formulas)),
+        Term::Call(f, args) => {
+            let value = &formulas.definitions[*f].value;
+            integrated(value, formulas) || args.iter().any(|x| integrated(x, formulas))
+        }
+        Term::Derivative { body, at, .. } => integrated(body, formulas) || integrated(at, formulas),
+        Term::Integral { body, bound, low, high } => {
+            divided_by(body, *bound, formulas)
+                || [body, low, high].into_iter().any(|x| integrated(x, formulas))
+        }
+    }
+}
+
+/// Whether something is divided by what contains a variable.
+fn divided_by(term: &Term, var: usize, formulas: &Formulas) -> bool {
+    let again = |term: &Term| divided_by(term, var, formulas);
+    match term {
+        Term::Number(_) | Term::Variable(_) | Term::Pi => false,
+        Term::Neg(x) | Term::Power(x, _) | Term::Circular(_, x) => again(x),
+        Term::Sum(parts) => parts.iter().any(|(_, x)| again(x)),
+        Term::Product(parts) => {
+            parts.iter().any(|(role, x)| *role == Role::Divisor && contains(x, var) || again(x))
+        }
+        Term::Call(f, args) => {
+            let value = &formulas.definitions[*f].value;
+            let inside = |(k, x): (usize, &Term)| contains(x, var) && divided_by(value, k, formulas);
+            args.iter().any(again) || args.iter().enumerate().any(inside)
+        }
+        Term::Derivative { body, bound, at } => {
+            again(body) || again(at) || contains(at, var) && divided_by(body, *bound, formulas)
+        }
+        Term::Integral { body, low, high, .. } => [body, low, high].into_iter().any(|x| again(x)),
+    }
+}
+
+/// Whether a variable occurs.
+fn contains(term: &Term, var: usize) -> bool {
+    match term {
+        Term::Number(_) | Term::Pi => false,
+        Term::Variable(v) => *v == var,
+        Term::Neg(x) | Term::Power(x, _) | Term::Circular(_, x) => contains(x, var),
+        Term::Sum(parts) => parts.iter().any(|(_, x)| contains(x, var)),
+        Term::Product(parts) => parts.iter().any(|(_, x)| contains(x, var)),
+        Term::Call(_, args) => args.iter().any(|x| contains(x, var)),
+        Term::Derivative { body, at, .. } => contains(body, var) || contains(at, var),
+        Term::Integral { body, low, high, .. } => [body, low, high].into_iter().any(|x| contains(x, var)),
     }
 }
 
@@ -104,7 +168,7 @@ impl Reader {
         Some(match term {
             Term::Number(x) => Fraction::constant(x.clone()),
             Term::Variable(v) => Fraction::var(Var(*v)),
-            Term::Pi | Term::Circular(..) => return None,
+            Term::Pi | Term::Circular(..) | Term::Integral { .. } => return None,
             Term::Neg(x) => {
                 let x = self.value(x, divisors)?;
                 Fraction::zero().sub_within(&x, &mut self.work)?

@@ -10,6 +10,7 @@ use basis_kernel::{Chart, Proof, Statement};
 use super::certificate::{self, Signs};
 use super::formula::{Writer, number};
 use super::frame::Frame;
+use super::quotients;
 
 /// Why there is no theorem for a claim.
 pub(super) type Missing = &'static str;
@@ -72,10 +73,15 @@ impl Subject<'_> {
         claimed: &Claimed,
         verdict: &Verdict,
     ) -> Result<Vec<String>, Missing> {
+        let sides = claimed.all.iter().flat_map(|compared| [&compared.left, &compared.right]);
+        if sides.into_iter().any(|side| quotients::integrated(side, self.formulas)) {
+            return Err("an integral of a quotient");
+        }
         match verdict {
             Verdict::Undecided(_) => Err("an undecided claim"),
             Verdict::Proved(evidence) => {
                 if let ClaimKind::Independent(except) = &claim.kind {
+                    self.of_one_span()?;
                     let (_, proof) = evidence.steps().first().ok_or("a claim without a proof")?;
                     return self.independent(name, except, proof);
                 }
@@ -87,8 +93,17 @@ impl Subject<'_> {
         }
     }
 
+    fn of_one_span(&self) -> Result<(), Missing> {
+        if self.family.pieces.is_empty() { Ok(()) } else { Err("independence on several spans") }
+    }
+
     pub(super) fn writer<'w>(&'w self, variables: &'w dyn Fn(usize) -> Option<String>) -> Writer<'w> {
         Writer { definitions: self.definitions, variables }
+    }
+
+    /// The family, or the span of it on which something is said.
+    fn on(&self, compared: &Compared) -> &Family {
+        self.family.pieces.get(compared.span).map_or(self.family, |piece| piece)
     }
 
     /// A comparison that holds everywhere.
@@ -99,24 +114,23 @@ impl Subject<'_> {
         compared: &Compared,
         proof: &Proof,
     ) -> Result<String, Missing> {
+        let family = self.on(compared);
         let (frame, boxed, variables, signs) = match proof.statement() {
-            Statement::Zero { value, domain }
-                if !self.family.simplices.is_empty() && self.family.is_rational() =>
-            {
+            Statement::Zero { value, domain } if !family.simplices.is_empty() && family.is_rational() => {
                 // Denominators do not vanish on the simplex alone.
                 let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
                 let chart = chart.map_err(|_| "a domain that has no chart")?;
-                let frame = Frame::new(self.family, self.names, &claimed.fixed, Some((domain, &chart)));
+                let frame = Frame::new(family, self.names, &claimed.fixed, Some((domain, &chart)));
                 (frame, Vec::new(), Vec::new(), None)
             }
             Statement::Zero { .. } => {
-                let frame = Frame::new(self.family, self.names, &claimed.fixed, None);
+                let frame = Frame::new(family, self.names, &claimed.fixed, None);
                 (frame, Vec::new(), Vec::new(), None)
             }
             Statement::Sign { value, domain, .. } => {
                 let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
                 let chart = chart.map_err(|_| "a domain that has no chart")?;
-                let frame = Frame::new(self.family, self.names, &claimed.fixed, Some((domain, &chart)));
+                let frame = Frame::new(family, self.names, &claimed.fixed, Some((domain, &chart)));
                 let ranges = chart.region().ranges.clone();
                 let signs = Signs::of(proof, &chart, &ranges)?;
                 let boxed: Vec<Var> = domain.region.ranges.iter().map(|(v, _)| *v).collect();
@@ -151,6 +165,16 @@ impl Subject<'_> {
                 let function = writer.body(body, *bound, &env);
                 let arguments = format!("{function} {} {} {}", data(at), data(&right), frame.values());
                 (goal, format!("derivative_by {common} {arguments} _ _"))
+            }
+            (
+                Comparison::Equal,
+                Term::Integral { body, bound, low, high },
+                Term::Integral { body: own, bound: own_bound, low: own_low, high: own_high },
+            ) => {
+                let goal = writer.integrated(own, *own_bound, [own_low, own_high], &compared.right);
+                let ends = format!("{} {}", data(low), data(high));
+                let arguments = format!("{} {ends} {}", writer.body(body, *bound, &env), data(&right));
+                (goal, format!("integral_by {common} {arguments} {} _ _", frame.values()))
             }
             (Comparison::Equal, ..) => {
                 (goal, format!("equal_by {common} {} {} {} _ _", data(&left), data(&right), frame.values()))
@@ -206,6 +230,7 @@ impl Subject<'_> {
         witness: &Witness,
     ) -> Result<String, Missing> {
         if let ClaimKind::Independent(except) = &claim.kind {
+            self.of_one_span()?;
             return self.refuted_independence(name, except, witness);
         }
         let subject = basis_engine::Subject::Family(std::rc::Rc::new(self.family.clone()));
@@ -225,7 +250,8 @@ impl Subject<'_> {
         };
         let point = self.family.names.iter().map(value).collect::<Result<Vec<_>, _>>()?;
         let put = |term: &Term| term.put(&|v| point.get(v).cloned().map(Term::Number));
-        let frame = Frame::new(self.family, self.names, &claimed.fixed, None).ok_or("a point that varies")?;
+        let frame = Frame::new(self.on(compared), self.names, &claimed.fixed, None);
+        let frame = frame.ok_or("a point that varies")?;
         let names = |v: usize| self.names.get(v).cloned();
         let writer = self.writer(&names);
         let goal = writer.compared(&compared.left, compared.comparison, &compared.right);

@@ -67,7 +67,7 @@ theorem Plane {
 ];
 
 /// The text of the only file with theorems.
-fn exported(folder: &Folder, spec: &str) -> (i32, String, String) {
+pub(crate) fn exported(folder: &Folder, spec: &str) -> (i32, String, String) {
     let run = folder.run(&["check", "--coq", "v", spec]);
     let mut files: Vec<_> = fs::read_dir(folder.path().join("v"))
         .expect("a folder is written")
@@ -79,7 +79,7 @@ fn exported(folder: &Folder, spec: &str) -> (i32, String, String) {
 }
 
 /// Whether Coq accepts a file, and what it says.
-fn accepted(folder: &Path, text: &str) -> (bool, String) {
+pub(crate) fn accepted(folder: &Path, text: &str) -> (bool, String) {
     let coqc = |file: &str| {
         let run = Command::new("coqc").args(["-Q", ".", "Basis", file]).current_dir(folder).output();
         let run = run.expect("Coq is installed");
@@ -94,7 +94,7 @@ fn accepted(folder: &Path, text: &str) -> (bool, String) {
 }
 
 /// A text with one place changed, which has to be there.
-fn changed(text: &str, old: &str, new: &str) -> String {
+pub(crate) fn changed(text: &str, old: &str, new: &str) -> String {
     assert_ne!(old, new);
     assert!(text.contains(old), "`{old}` is not in\n{text}");
     text.replacen(old, new, 1)

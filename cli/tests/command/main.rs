@@ -6,6 +6,7 @@ mod check_files;
 mod check_table;
 mod check_verdicts;
 mod coq;
+mod coq_spans;
 mod editor;
 mod emit;
 mod eval_errors;

@@ -2,36 +2,33 @@
 
 use std::rc::Rc;
 
-use super::scope::{Functions, Reader, Scope, Value};
+use super::scope::{Reader, Scope, Value};
 use super::{Claimed, Compared, Comparison, Role, Sign, Term};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
-use crate::claim::{Claim, ClaimKind};
+use crate::claim::ClaimKind;
 use crate::model::Family;
 use crate::model::angle::Angle;
 use crate::state::moves;
 use crate::syntax::{self, Binding, StatementKind};
 
 impl Reader<'_, '_> {
-    /// The claims, in the order of the item; nothing for those that have no counterpart. `None` when they cannot be told
-    /// apart.
+    /// The claims, in the order of the item, with the kind of each; nothing for those that have no counterpart or are about
+    /// something else. `None` when they cannot be told apart.
     pub(super) fn claims(
         &mut self,
-        unit: usize,
+        scope: &Scope<'_>,
         written: &syntax::Family,
         family: &Family,
-        functions: Functions,
-        claims: &[Claim],
+        kinds: &[Option<&ClaimKind>],
     ) -> Option<Vec<Option<Claimed>>> {
-        let scope = Scope::new(unit, family, written);
-        scope.functions.replace(functions);
         let mut all = Vec::new();
         for statement in &written.statements {
             let StatementKind::Claim(claim) = &statement.kind else { continue };
             match &claim.kind {
                 syntax::ClaimKind::Relation(relation) => {
-                    self.relation(&scope, relation, Some(&[]), &mut all)?;
+                    self.relation(scope, relation, Some(&[]), &mut all)?;
                 }
                 syntax::ClaimKind::At(bindings, relations) => {
                     let fixed = bindings.iter().map(|Binding { name, value, indices }| {
@@ -39,24 +36,24 @@ impl Reader<'_, '_> {
                             return None;
                         }
                         let var = scope.names.iter().position(|n| *n == name.text)?;
-                        let value = self.scalar(&scope, value)?;
+                        let value = self.scalar(scope, value)?;
                         Some((var, self.number_of(&value).map_or(value, Term::Number)))
                     });
                     let fixed = fixed.collect::<Option<Vec<_>>>();
                     for relation in relations {
-                        self.relation(&scope, relation, fixed.as_deref(), &mut all)?;
+                        self.relation(scope, relation, fixed.as_deref(), &mut all)?;
                     }
                 }
                 _ => {
-                    for _ in self.tuples(&scope, &claim.loops)? {
-                        let kind = &claims.get(all.len())?.kind;
-                        let property = self.property(&scope, family, kind);
+                    for _ in self.tuples(scope, &claim.loops)? {
+                        let kind = *kinds.get(all.len())?;
+                        let property = kind.and_then(|kind| self.property(scope, family, kind));
                         all.push(property.map(|all| Claimed { fixed: Vec::new(), all }));
                     }
                 }
             }
         }
-        (all.len() == claims.len()).then_some(all)
+        (all.len() == kinds.len()).then_some(all)
     }
 
     /// One equation, inequality or chain, for each value of its index variables.
@@ -88,15 +85,14 @@ impl Reader<'_, '_> {
     /// What a property says.
     fn property(&mut self, scope: &Scope<'_>, family: &Family, kind: &ClaimKind) -> Option<Vec<Compared>> {
         let calls: Vec<Term> = scope.functions.borrow().iter().map(|(_, f)| scope.call(*f)).collect();
-        let equal = |left: Term, right: Term| Compared { left, comparison: Comparison::Equal, right };
+        let equal = |left, right| Compared::new(left, Comparison::Equal, right);
         Some(match kind {
             ClaimKind::PartitionOfUnity => {
                 let sum = Term::Sum(calls.into_iter().map(|x| (Sign::Plus, x)).collect());
                 vec![equal(sum, Term::integer(1))]
             }
             ClaimKind::Nonnegative => {
-                let one =
-                    |left| Compared { left, comparison: Comparison::GreaterEqual, right: Term::integer(0) };
+                let one = |left| Compared::new(left, Comparison::GreaterEqual, Term::integer(0));
                 calls.into_iter().map(one).collect()
             }
             ClaimKind::Symmetric => {
@@ -168,7 +164,7 @@ fn pairs(left: Value, comparison: Comparison, right: Value) -> Vec<Compared> {
         }
         (Value::Scalar(l), Value::List(r)) => (vec![l; r.len()], terms(r)),
     };
-    left.into_iter().zip(right).map(|(left, right)| Compared { left, comparison, right }).collect()
+    left.into_iter().zip(right).map(|(left, right)| Compared::new(left, comparison, right)).collect()
 }
 
 /// A polynomial as it is expanded.

@@ -5,10 +5,12 @@
 //! syntax tree with the expansion in `model`; where the two read differently, what is exported is not proved.
 
 mod claims;
+mod integrals;
 #[cfg(feature = "joins")]
 mod points;
 mod read;
 mod scope;
+mod spans;
 mod value;
 
 use std::rc::Rc;
@@ -60,6 +62,17 @@ pub enum Term {
         /// The value of the variable.
         at: Rc<Term>,
     },
+    /// The integral of a body in its variable, between bounds.
+    Integral {
+        /// What is integrated.
+        body: Rc<Term>,
+        /// The variable of the body by which it is integrated; it has a meaning in the body only.
+        bound: usize,
+        /// The lower bound.
+        low: Rc<Term>,
+        /// The upper bound.
+        high: Rc<Term>,
+    },
 }
 
 impl Term {
@@ -79,11 +92,16 @@ impl Term {
             Self::Product(parts) => Self::Product(parts.iter().map(|(role, x)| (*role, x.put(by))).collect()),
             Self::Power(x, n) => Self::Power(Rc::new(x.put(by)), *n),
             Self::Call(f, args) => Self::Call(*f, args.iter().map(|x| x.put(by)).collect()),
-            // Every derivative has a variable of its own, so that nothing is captured.
+            // Every derivative and integral has a variable of its own, so that nothing is captured.
             Self::Derivative { body, bound, at } => {
                 let inner = |v: usize| if v == *bound { None } else { by(v) };
                 let (body, at) = (Rc::new(body.put(&inner)), Rc::new(at.put(by)));
                 Self::Derivative { body, bound: *bound, at }
+            }
+            Self::Integral { body, bound, low, high } => {
+                let inner = |v: usize| if v == *bound { None } else { by(v) };
+                let [low, high] = [low, high].map(|end| Rc::new(end.put(by)));
+                Self::Integral { body: Rc::new(body.put(&inner)), bound: *bound, low, high }
             }
         }
     }
@@ -106,6 +124,8 @@ pub struct Definition {
     pub family: String,
     /// What it is called there, such as `b[0]` or the name that a `let` gives.
     pub name: String,
+    /// Of a family on several spans the number of the one for which it is.
+    pub span: Option<usize>,
     /// The names of its parameters.
     pub parameters: Vec<String>,
     /// Its value.
@@ -121,6 +141,15 @@ pub struct Compared {
     pub comparison: Comparison,
     /// The right side.
     pub right: Term,
+    /// The number of the span on which it is said, of those of the family; 0 on a domain of one.
+    pub span: usize,
+}
+
+impl Compared {
+    /// A comparison on a domain of one span.
+    pub(crate) fn new(left: Term, comparison: Comparison, right: Term) -> Self {
+        Self { left, comparison, right, span: 0 }
+    }
 }
 
 /// A claim.
@@ -138,8 +167,10 @@ pub struct Claimed {
 pub struct Formulas {
     /// Functions, each after those that it calls.
     pub definitions: Vec<Definition>,
-    /// The definitions of the basis functions, in the order of their indices.
+    /// The definitions of the basis functions, in the order of their indices; of several spans those on the first one.
     pub functions: Vec<usize>,
-    /// The claims, in the order of the item; nothing for one without a counterpart, such as an integral.
+    /// Of several spans the same for each of them.
+    pub spans: Vec<Vec<usize>>,
+    /// The claims, in the order of the item; nothing for one without a counterpart, such as total positivity.
     pub claims: Vec<Option<Claimed>>,
 }

@@ -1,10 +1,10 @@
 //! Families as they are written: the functions that they define, in the order in which they call each other.
 
 use super::scope::{Constants, Functions, Planned, Reader, Scope, Value};
-use super::{Claimed, Definition, Formulas, Term};
+use super::{Claimed, Definition, Formulas, Term, spans};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
-use crate::claim::Claim;
+use crate::claim::{Claim, ClaimKind};
 use crate::model::angle::{Angle, Kind};
 use crate::model::label;
 use crate::model::tuples::numbered;
@@ -27,20 +27,30 @@ pub(super) const BOUND: usize = 1 << 20;
 pub fn of(library: &Library<'_>, family: &Family, claims: &[Claim]) -> Option<Formulas> {
     let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
     let (unit, written) = library.written(&family.name)?;
+    if !family.pieces.is_empty() {
+        return spans::of(library, family, (unit, written), claims);
+    }
     if !is_plain(family) {
         return None;
     }
     let mut reader = Reader::new(library);
     let functions = reader.family(unit, &family.name, &order)?;
-    let place = |f: &crate::model::Function| functions.get(&f.index).copied();
-    let places = family.functions.iter().map(place).collect::<Option<Vec<usize>>>()?;
-    let claims: Vec<Option<Claimed>> = reader.claims(unit, written, family, functions, claims)?;
-    Some(Formulas { definitions: reader.definitions, functions: places, claims })
+    let functions_of = places(family, &functions)?;
+    let scope = Scope::new(unit, family, written);
+    scope.functions.replace(functions);
+    let kinds: Vec<Option<&ClaimKind>> = claims.iter().map(|claim| Some(&claim.kind)).collect();
+    let claims: Vec<Option<Claimed>> = reader.claims(&scope, written, family, &kinds)?;
+    Some(Formulas { definitions: reader.definitions, functions: functions_of, spans: Vec::new(), claims })
+}
+
+/// The definitions of the functions of a family, in their order.
+pub(super) fn places(family: &Family, functions: &Functions) -> Option<Vec<usize>> {
+    family.functions.iter().map(|f| functions.get(&f.index).copied()).collect()
 }
 
 /// Whether one formula stands for the whole domain, all shape parameters stand for themselves, and so does the domain
 /// variable or it is an angle whose tangent has rational ends.
-fn is_plain(family: &Family) -> bool {
+pub(super) fn is_plain(family: &Family) -> bool {
     let analytic = &family.analytic;
     let angle = |a: &Angle| {
         a.kind == Kind::Circular
@@ -93,11 +103,24 @@ impl Reader<'_, '_> {
             return None;
         }
         let written = self.library.tree(home, position)?;
+        let scope = Scope::new(home, &family, written);
+        self.functions_of(&scope, &family, written)?;
+        let functions = scope.functions.into_inner();
+        self.known.push((key, functions.clone()));
+        Some(functions)
+    }
+
+    /// Reads the functions of a family, or of a span of one.
+    pub(super) fn functions_of<'w>(
+        &mut self,
+        scope: &Scope<'w>,
+        family: &Family,
+        written: &'w syntax::Family,
+    ) -> Option<()> {
         // What is assumed of shape values is not exported.
         if !family.constraints.is_empty() || !family.determined.is_empty() {
             return None;
         }
-        let scope = Scope::new(home, &family, written);
         let recursive =
             |s: &syntax::Statement| matches!(s.kind, StatementKind::Base(..) | StatementKind::Raise(_));
         let recursive = written.statements.iter().any(recursive);
@@ -106,27 +129,27 @@ impl Reader<'_, '_> {
             _ => None,
         });
         for def in all {
-            self.plan(&scope, def)?;
+            self.plan(scope, def)?;
         }
         let mut base: Option<(&str, i64)> = None;
         for statement in &written.statements {
             match &statement.kind {
                 StatementKind::Function(def) => {
                     if recursive {
-                        self.plan(&scope, def)?;
+                        self.plan(scope, def)?;
                     }
-                    self.planned(&scope)?;
+                    self.planned(scope)?;
                 }
                 StatementKind::Base(Binding { name, value, .. }, functions) => {
-                    let lowest = self.whole(&scope, value)?;
+                    let lowest = self.whole(scope, value)?;
                     let title = scope.title.borrow().clone();
                     if scope.constant(&name.text)? > lowest {
                         scope.title.replace(format!("{title}, {} = {lowest}", name.text));
                     }
                     scope.with(&[(name.text.clone(), lowest)], || {
                         for def in functions {
-                            self.plan(&scope, def)?;
-                            self.planned(&scope)?;
+                            self.plan(scope, def)?;
+                            self.planned(scope)?;
                         }
                         Some(())
                     })?;
@@ -135,14 +158,12 @@ impl Reader<'_, '_> {
                 }
                 StatementKind::Raise(def) => {
                     let (order, lowest) = base?;
-                    self.raise(&scope, def, order, lowest)?;
+                    self.raise(scope, def, order, lowest)?;
                 }
                 _ => {}
             }
         }
-        let functions = scope.functions.into_inner();
-        self.known.push((key, functions.clone()));
-        Some(functions)
+        Some(())
     }
 
     /// Notes the functions that a statement defines.
@@ -185,7 +206,7 @@ impl Reader<'_, '_> {
         }
         let Planned { def, constants } = scope.planned.borrow_mut().remove(&written)?;
         let value = self.inside(|reader| {
-            scope.alone(Vec::new(), || scope.with(&constants, || reader.scalar(scope, &def.value)))
+            scope.alone(Vec::new(), || scope.with(&constants, || reader.scalar(scope, scope.formula(def))))
         })?;
         let place = self.define(scope, label(&scope.function_name, &written), &value);
         scope.functions.borrow_mut().insert(written.clone(), place);
@@ -222,7 +243,7 @@ impl Reader<'_, '_> {
         // A variable is a parameter by its place from now on.
         let place = |v: usize| scope.parameters.iter().position(|p| *p == v).map(Term::Variable);
         let value = value.put(&place);
-        self.definitions.push(Definition { family, name, parameters, value });
+        self.definitions.push(Definition { family, name, span: scope.span, parameters, value });
         self.definitions.len() - 1
     }
 

@@ -2,11 +2,13 @@
 
 use std::cell::RefCell;
 use std::ops::Range;
+use std::rc::Weak;
 
 use super::{Definition, Term};
 use crate::algebra::poly::Var;
-use crate::model::{Family, Library};
-use crate::syntax::{self, FunctionDef, NameDef, StatementKind};
+use crate::algebra::range::End;
+use crate::model::{Factor, Family, Library};
+use crate::syntax::{self, Expr, FunctionDef, NameDef, StatementKind};
 use basis_prover::collections::map::SortedMap;
 
 /// Functions by their indices.
@@ -66,6 +68,12 @@ pub(super) struct Scope<'w> {
     pub(super) parameters: Vec<usize>,
     /// For each factor of the domain the numbers of its variables, of a simplex the dependent one last.
     factors: Vec<Vec<usize>>,
+    /// The ends of each factor that is an interval, where both are numbers.
+    ends: Vec<Option<[Term; 2]>>,
+    /// Of several spans the number of this one.
+    pub(super) span: Option<usize>,
+    /// The same on each of several spans, this one among them.
+    pub(super) siblings: RefCell<Vec<Weak<Self>>>,
     pub(super) function_name: String,
     pub(super) functions: RefCell<Functions>,
     pub(super) planned: RefCell<SortedMap<Vec<i64>, Planned<'w>>>,
@@ -94,6 +102,10 @@ impl<'w> Scope<'w> {
                 .iter()
                 .map(|f| f.variables().map(|p| itself(family, p.var)).collect())
                 .collect(),
+            // Of an angle the ends are those of its tangent.
+            ends: family.factors().iter().map(|f| ends(f).filter(|_| family.analytic.is_empty())).collect(),
+            span: None,
+            siblings: RefCell::default(),
             function_name: family.function_name.clone(),
             functions: RefCell::new(SortedMap::new()),
             planned: RefCell::new(SortedMap::new()),
@@ -114,6 +126,9 @@ impl<'w> Scope<'w> {
             parameters: (0..names.len()).collect(),
             names,
             factors: Vec::new(),
+            ends: Vec::new(),
+            span: None,
+            siblings: RefCell::default(),
             function_name: String::new(),
             functions: RefCell::new(SortedMap::new()),
             planned: RefCell::new(SortedMap::new()),
@@ -157,6 +172,12 @@ impl<'w> Scope<'w> {
             || self.lets.iter().any(|def| def.name.text == name)
     }
 
+    /// The numbers of the variables of each factor of the domain, of a simplex the dependent one last, and the ends of those
+    /// that are intervals between numbers.
+    pub(super) fn domain(&self) -> impl Iterator<Item = (&Vec<usize>, &Option<[Term; 2]>)> {
+        self.factors.iter().zip(&self.ends)
+    }
+
     /// The numbers of the domain variables in the order of the spec.
     pub(super) fn coordinates(&self) -> Vec<usize> {
         self.factors.concat()
@@ -181,10 +202,23 @@ impl<'w> Scope<'w> {
         if corners && next == width { places } else { Vec::new() }
     }
 
+    /// The formula of a function, of several spans the one for this span.
+    pub(super) fn formula(&self, def: &'w FunctionDef) -> &'w Expr {
+        let further = self.span.and_then(|k| def.further.get(k.checked_sub(1)?));
+        further.unwrap_or(&def.value)
+    }
+
     /// A function at the point itself.
     pub(super) fn call(&self, definition: usize) -> Term {
         Term::Call(definition, self.parameters.iter().copied().map(Term::Variable).collect())
     }
+}
+
+/// The ends of an interval, if they are numbers.
+fn ends(factor: &Factor<'_>) -> Option<[Term; 2]> {
+    let Factor::Interval(p) = factor else { return None };
+    let end = |end: &End| end.value().cloned().map(Term::Number);
+    Some([end(&p.range.low)?, end(&p.range.high)?])
 }
 
 /// The numbers of the variables on which the functions of a family depend.

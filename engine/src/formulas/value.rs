@@ -107,7 +107,11 @@ impl Reader<'_, '_> {
     pub(super) fn number_of(&self, term: &Term) -> Option<Rational> {
         Some(match term {
             Term::Number(n) => n.clone(),
-            Term::Variable(_) | Term::Pi | Term::Circular(..) | Term::Derivative { .. } => return None,
+            Term::Variable(_)
+            | Term::Pi
+            | Term::Circular(..)
+            | Term::Derivative { .. }
+            | Term::Integral { .. } => return None,
             Term::Neg(x) => -self.number_of(x)?,
             Term::Sum(parts) => {
                 let mut sum = Rational::ZERO;
@@ -317,6 +321,9 @@ impl Reader<'_, '_> {
             if name == "D" {
                 return self.derivative(scope, arguments);
             }
+            if name == "integral" {
+                return self.integral(scope, arguments);
+            }
             if BUILTINS.contains(&name.as_str()) {
                 return self.builtin(scope, name, arguments);
             }
@@ -485,7 +492,7 @@ fn numbered(terms: Vec<Term>) -> Vec<(Vec<i64>, Term)> {
 }
 
 /// The same done to each formula.
-fn each(value: Value, with: &mut dyn FnMut(Term) -> Term) -> Value {
+pub(super) fn each(value: Value, with: &mut dyn FnMut(Term) -> Term) -> Value {
     match value {
         Value::Scalar(x) => Value::Scalar(with(x)),
         Value::List(list) => Value::List(list.into_iter().map(|(i, x)| (i, with(x))).collect()),
@@ -493,7 +500,7 @@ fn each(value: Value, with: &mut dyn FnMut(Term) -> Term) -> Value {
 }
 
 /// The sum of parts that are all single formulas, or all lists of one length.
-fn together(parts: Vec<(Sign, Value)>) -> Option<Value> {
+pub(super) fn together(parts: Vec<(Sign, Value)>) -> Option<Value> {
     let mut lists: Vec<(Vec<i64>, Signed)> = Vec::new();
     let mut scalars = Vec::new();
     for (sign, part) in parts {
@@ -542,7 +549,7 @@ fn product(parts: Vec<(Role, Value)>) -> Option<Value> {
 }
 
 /// How many parts the formulas of a value have.
-fn size(value: &Value) -> usize {
+pub(super) fn size(value: &Value) -> usize {
     match value {
         Value::Scalar(x) => parts(x),
         Value::List(list) => list.iter().map(|(_, x)| parts(x)).sum(),
@@ -557,5 +564,6 @@ pub(super) fn parts(term: &Term) -> usize {
         Term::Product(list) => list.iter().map(|(_, x)| parts(x)).sum(),
         Term::Call(_, args) => args.iter().map(parts).sum(),
         Term::Derivative { body, at, .. } => parts(body) + parts(at),
+        Term::Integral { body, low, high, .. } => parts(body) + parts(low) + parts(high),
     }
 }

@@ -61,8 +61,11 @@ fn any(term: &Term, found: &dyn Fn(&Term) -> bool) -> bool {
             Term::Product(parts) => parts.iter().any(|(_, x)| any(x, found)),
             Term::Call(_, args) => args.iter().any(|x| any(x, found)),
             Term::Derivative { body, at, .. } => any(body, found) || any(at, found),
+            Term::Integral { body, low, high, .. } => any(body, found) || any(low, found) || any(high, found),
         }
 }
+
+const INTEGRAL: Missing = "an integral beside an angle";
 
 const OTHER: Missing = "an angle in another form than sin and cos of it and of its double";
 
@@ -116,6 +119,7 @@ impl Angular<'_> {
                 let at = Rc::new(x.clone());
                 self.chain(Term::Derivative { body, bound: *bound, at }, &x)?
             }
+            Term::Integral { .. } => return Err(INTEGRAL),
         })
     }
 
@@ -274,6 +278,7 @@ impl Angular<'_> {
             Term::Call(_, args) => args.iter().try_for_each(|x| self.each(x, with)),
             Term::Derivative { body, bound, .. } if self.is_angle(body, *bound) => Ok(()),
             Term::Derivative { .. } => Err("a derivative in a shape parameter beside an angle"),
+            Term::Integral { .. } => Err(INTEGRAL),
         }
     }
 
