@@ -6,8 +6,8 @@
 /// The functions that the code calls. This version stays as it is; code of a later one may call others.
 pub mod v1 {
     pub use crate::__private::{
-        bernstein, box_sum, check_end, check_point, check_shape, combine, end_points, multinomials,
-        raise_weights, simplex_sum, table, unit,
+        bernstein, box_sum, check_end, check_point, check_shape, combine, cut_off, end_points, multinomials,
+        powers, raise_weights, simplex_sum, table, tan, tan_complement, tanh, tanh_complement, unit,
     };
 }
 

@@ -6,16 +6,19 @@ use std::process::Command;
 
 use crate::support::{BERNSTEIN, Folder, QUARTIC, Run};
 
-/// The file that is checked in is what its spec gives: `INSTA_UPDATE=always` writes it.
+/// The files that are checked in are what their specs give: `INSTA_UPDATE=always` writes them.
 #[test]
-fn the_checked_in_file_is_up_to_date() {
+fn the_checked_in_files_are_up_to_date() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let flag = if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") { "-o" } else { "--check" };
-    let (spec, file) = ("tests/emitted/specs/shapes.basis", "tests/emitted/src/shapes.rs");
-    let arguments = ["emit", spec, "--to", "rust", flag, file];
-    let run = Command::new(env!("CARGO_BIN_EXE_basis")).args(arguments).current_dir(root).output();
-    let run = Run::of(run.expect("the command starts"));
-    assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""));
+    for name in ["shapes", "quotients"] {
+        let (spec, file) =
+            (format!("tests/emitted/specs/{name}.basis"), format!("tests/emitted/src/{name}.rs"));
+        let arguments = ["emit", &spec, "--to", "rust", flag, &file];
+        let run = Command::new(env!("CARGO_BIN_EXE_basis")).args(arguments).current_dir(&root).output();
+        let run = Run::of(run.expect("the command starts"));
+        assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""));
+    }
 }
 
 #[test]

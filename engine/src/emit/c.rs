@@ -4,8 +4,9 @@
 //! any number of components, `dimension`, one after the other; nothing is allocated.
 
 use super::write::{
-    body, bound, bound_text, comment_line, coordinate, derivative, indented, inner_knots, inside, join_body,
-    join_components, knot_text, member, on_spans, point, slashes, used, used_shapes,
+    body, bound, bound_text, comment_line, condition, coordinate, derivative, indented, inside,
+    join_assumption, join_body, join_components, knot_text, member, on_spans, point, slashes, used,
+    used_shapes,
 };
 use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape, decimal, decimal_f32, is_input};
 use crate::algebra::rational::Rational;
@@ -41,6 +42,11 @@ const RESERVED: &str = "alignas alignof and and_eq asm auto bitand bitor bool br
     fmin fmax fdim frexp ldexp modf hypot erf erfc tgamma lgamma gamma nan signbit isnan isinf isfinite isnormal \
     isgreater isless fpclassify j0 j1 jn y0 y1 yn drem scalb significand remainder remquo copysign nextafter \
     nexttoward ilogb lrint llrint lround llround scalbn scalbln nearbyint expm1 time clock signal index rindex rand \
+    uint ushort ulong quad random srandom drand48 select alloca atof atoi atol atoll strtod a64l l64a ecvt fcvt gcvt \
+    mktemp mkstemp mkdtemp putenv setenv unsetenv clearenv realpath rpmatch signgam pow10 sincos canonicalize \
+    fromfp ufromfp roundeven nextup nextdown llogb fmaxmag fminmag totalorder getpayload setpayload isunordered \
+    issignaling issubnormal iszero iseqsig RAND_MAX MB_CUR_MAX BIG_ENDIAN LITTLE_ENDIAN BYTE_ORDER \
+    DOMAIN SING OVERFLOW UNDERFLOW PLOSS TLOSS MAXFLOAT X_TLOSS \
     free malloc calloc realloc exit abort atexit getenv system qsort bsearch \
     family dimension points bound values derivatives point at count order f c axis row inverse result wrong low high";
 
@@ -108,8 +114,13 @@ impl Language for C {
     }
 
     fn is_reserved(&self, name: &str) -> bool {
+        // Macros of the headers, and types of those that C++ includes with them; none of them ends with `_`.
+        let of_headers =
+            ["FLT_", "DBL_", "LDBL_", "DECIMAL_", "M_", "FP_", "HUGE_", "MATH_", "math_err", "SNAN"];
         let reserved_prefix = name.starts_with("__")
-            || (name.starts_with('_') && name[1..].starts_with(|c: char| c.is_ascii_uppercase()));
+            || (name.starts_with('_') && name[1..].starts_with(|c: char| c.is_ascii_uppercase()))
+            || of_headers.iter().any(|prefix| name.starts_with(prefix) && !name.ends_with('_'))
+            || name.ends_with("_t");
         reserved_prefix || is_input(name) || RESERVED.split_whitespace().any(|word| word == name)
     }
 
@@ -158,11 +169,21 @@ impl Language for C {
             "Points have `dimension` components, one after the other. Returns 0; k when the k-th scalar is outside of its",
         ));
         about.push(String::from("range, infinite or NaN; -1 when a computed point is not finite."));
+        for (k, assumption) in join.assumptions.iter().enumerate() {
+            let code = join.scalars.len() + k + 1;
+            about.push(format!("Returns {code} when the scalars do not satisfy {}.", assumption.text));
+        }
         let mut lines = String::new();
         let expressions = join_body(join, self);
         lines += "int result = 0;\n";
         for (k, scalar) in join.scalars.iter().enumerate() {
             lines += &format!("if (!({})) return {};\n", self.finite(scalar), k + 1);
+        }
+        for (k, assumption) in join.assumptions.iter().enumerate() {
+            let (expressions, condition) = join_assumption(join, assumption, self);
+            let code = join.scalars.len() + k + 1;
+            let inner = self.scalar_lets(&expressions) + &format!("if (!({condition})) return {code};\n");
+            lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
         }
         for unused in unused_scalars(join) {
             lines += &format!("(void){unused};\n");
@@ -322,9 +343,9 @@ impl Family<'_> {
         names.map(|name| format!("const {t} {name} = family.{name};\n")).collect()
     }
 
-    /// Lines for each span, with the knots that are shape values.
+    /// Lines for each span.
     fn on_spans(&self, lines: &dyn Fn(&FamilySteps<'_>) -> String) -> String {
-        self.named_shapes(&inner_knots(self.code)) + &on_spans(self.code, &self.language, lines)
+        on_spans(self.code, &self.language, "family.", lines)
     }
 
     /// Whether points need the shape values.
@@ -404,13 +425,9 @@ impl Family<'_> {
             let expressions = body(code, &assumption.steps, &self.language);
             // Values on the way are written out: a condition is short.
             let mut inner = self.language.scalar_lets(&expressions);
-            let sign = if assumption.strict { ">" } else { ">=" };
-            inner += &format!(
-                "if (wrong == 0 && !({} {sign} {})) wrong = {};\n",
-                expressions.outputs[0].text,
-                self.language.literal(&Rational::ZERO),
-                code.shapes.len() + k + 1
-            );
+            let condition = condition(assumption, &expressions, &self.language);
+            let number = code.shapes.len() + k + 1;
+            inner += &format!("if (wrong == 0 && !({condition})) wrong = {number};\n");
             lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
             messages.push(assumption.text.to_string());
         }

@@ -5,10 +5,11 @@ use crate::algebra::range::{DisplayRange as _, End, Range};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::generate::{self, rational::split};
+use crate::model::chart::Constraint;
 use crate::model::{Factor, Family, Parameter, label};
 use crate::plan::Input;
 use crate::rounding::{Error, decimal};
-use crate::state::{point_error, value_errors};
+use crate::state::point_error;
 use crate::steps::{Builder, FamilySteps, JoinSteps, Step, Steps};
 use crate::theorem::{Origin, Theorem};
 use basis_kernel::Relation;
@@ -65,6 +66,8 @@ pub struct JoinCode<'a> {
     pub given: Vec<(usize, usize)>,
     /// The scalars that the points depend on.
     pub scalars: Vec<Shape<'a>>,
+    /// How these have to be related.
+    pub assumptions: Vec<Assumption<'a>>,
     /// The results, one net for each curve or surface with determined points.
     pub results: Vec<Net>,
     /// The determined points, of all results one after the other.
@@ -82,10 +85,10 @@ pub struct Net {
     pub single: bool,
 }
 
-/// A condition on several shape values.
+/// A condition on several shape values, or on several scalars of a join.
 #[derive(Clone, Debug)]
 pub struct Assumption<'a> {
-    /// The polynomial with the sign, in the shape values.
+    /// The polynomial with the sign, in the shape values or scalars.
     pub steps: Steps,
     /// Whether it is positive, or else not negative.
     pub strict: bool,
@@ -121,9 +124,8 @@ impl<'a> FamilyCode<'a> {
         wanted: &Wanted,
         language: &dyn Language,
     ) -> Result<Self, Diagnostic> {
-        let rounding: Vec<Option<Error>> =
-            value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).collect();
-        let rounding = if rounding.is_empty() { vec![None; family.functions.len()] } else { rounding };
+        let mut rounding = generate::value_bounds(told, family);
+        rounding.resize(family.functions.len(), None);
         let known: &[Option<Error>] = if rounding.iter().all(Option::is_none) { &[] } else { &rounding };
         let (Some(steps), Some(mut documentation)) = (
             FamilySteps::new(family),
@@ -169,7 +171,7 @@ impl<'a> FamilyCode<'a> {
             documentation.splice(end - 1..end - 1, point_lines(family, error));
         }
         let labels = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
-        let assumptions = assumptions(family);
+        let assumptions = assumptions(family.assumed(), &family.shapes.iter().collect::<Vec<_>>());
         Ok(Self {
             family,
             name,
@@ -366,14 +368,18 @@ fn single<'s>(
     Ok(())
 }
 
-fn assumptions(family: &Family) -> Vec<Assumption<'_>> {
-    let one = |constraint: &'_ crate::model::chart::Constraint| {
+/// What is assumed of variables; each is the input at its position.
+fn assumptions<'c>(
+    constraints: impl Iterator<Item = &'c Constraint>,
+    variables: &[&Parameter],
+) -> Vec<Assumption<'c>> {
+    let one = |constraint: &Constraint| {
         let mut builder = Builder::default();
         let mut sum = builder.constant(Rational::ZERO);
         for (monomial, coefficient) in constraint.value.terms() {
             let mut term = builder.constant(coefficient.clone());
-            for (k, shape) in family.shapes.iter().enumerate() {
-                for _ in 0..monomial.exponent(shape.var) {
+            for (k, variable) in variables.iter().enumerate() {
+                for _ in 0..monomial.exponent(variable.var) {
                     let factor = builder.input(Input::Shape(k));
                     term = builder.mul(term, factor);
                 }
@@ -382,7 +388,6 @@ fn assumptions(family: &Family) -> Vec<Assumption<'_>> {
         }
         builder.finish(&[sum])
     };
-    let constraints = family.assumed();
     constraints
         .map(|c| Assumption { steps: one(c), strict: c.relation == Relation::Positive, text: &c.text })
         .collect()
@@ -395,11 +400,6 @@ impl<'a> JoinCode<'a> {
     /// Why there is no function for it.
     pub fn new(theorem: &'a Theorem, wanted: &Wanted, language: &dyn Language) -> Result<Self, Diagnostic> {
         let Some(steps) = JoinSteps::new(theorem) else { return Err(generate::join::products(theorem)) };
-        if let Some(c) = generate::join::related(theorem, &steps.scalars).next() {
-            let message = format!("the scalars of `{}` are related by `{}`", theorem.name, c.text);
-            let help = "only the functions that Rust's macro makes check that; state ranges that are numbers";
-            return Err(Diagnostic::error(theorem.place.clone(), message).help(help));
-        }
         let message = |number: &Rational| {
             format!("`{}` has the number {number}, which is beyond what f32 holds", theorem.name)
         };
@@ -409,6 +409,7 @@ impl<'a> JoinCode<'a> {
         let name = named(wanted.name.as_ref().unwrap_or(&own), language)?;
         let documentation = generate::join::about(theorem, &wanted.checked.claims, DECIDED);
         let scalars = shapes(steps.scalars.iter().copied(), None, language);
+        let assumptions = assumptions(generate::join::related(theorem, &steps.scalars), &steps.scalars);
         let mut taken: Vec<String> = scalars.iter().map(|scalar| scalar.name.clone()).collect();
         let mut net = |written: &str, labels: Vec<String>, single: bool| {
             let name = language.free(&plain(written), &taken);
@@ -441,7 +442,7 @@ impl<'a> JoinCode<'a> {
             net(&patch.name, labels, false)
         });
         let results = results.collect();
-        Ok(Self { theorem, name, documentation, points, given, scalars, results, steps })
+        Ok(Self { theorem, name, documentation, points, given, scalars, assumptions, results, steps })
     }
 
     /// The name of an input inside of the function: that of a scalar, and `P0`, `P1`, … for a component of a point.

@@ -117,9 +117,10 @@ pub trait Language {
     /// A name that is not reserved and not taken: with as many `_` appended as it needs.
     fn free(&self, name: &str, taken: &[String]) -> String {
         let ascii = generate::ascii(name);
-        // Where all names that begin with `_` are reserved, more of them at the end help nothing.
-        let begins = if self.is_reserved("_v") { ascii.trim_start_matches('_') } else { &ascii };
-        let mut name = String::from(if begins.is_empty() { "v" } else { begins });
+        // Where names that begin with `_` are reserved, more of them at the end help nothing.
+        let begins = if self.is_reserved(&ascii) { ascii.trim_start_matches('_') } else { &ascii };
+        let is_name = begins.starts_with(|c: char| c == '_' || c.is_ascii_alphabetic());
+        let mut name = format!("{}{begins}", if is_name { "" } else { "v" });
         while self.is_reserved(&name) || taken.contains(&name) {
             name.push('_');
         }
@@ -271,5 +272,16 @@ mod tests {
         assert_eq!(python::Python.free("_c1", &taken), "c1_");
         assert_eq!(python::Python.free("_", &[]), "v");
         assert_eq!(python::Python.free("lambda", &[]), "lambda_");
+        let c = c::C(c::Scalar::F64);
+        for (name, free) in [
+            ("__x", "x"),
+            ("__1", "v1"),
+            ("_X", "X"),
+            ("_x", "_x"),
+            ("DBL_MAX", "DBL_MAX_"),
+            ("size_t", "size_t_"),
+        ] {
+            assert_eq!(c.free(name, &[]), free);
+        }
     }
 }

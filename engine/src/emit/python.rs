@@ -6,7 +6,8 @@
 //! component by component.
 
 use super::write::{
-    body, bound_text, comment_line, indented, inner_knots, inside, join_body, knot_text, used_shapes,
+    body, bound_text, comment_line, condition, indented, inner_knots, inside, join_assumption, join_body,
+    knot_text, used_shapes,
 };
 use super::{FamilyCode, JoinCode, Knot, Language, Net, Shape, Value, decimal, is_input};
 use crate::algebra::rational::Rational;
@@ -22,7 +23,8 @@ pub struct Python;
 const RESERVED: &str = "False None True and as assert async await break case class continue def del elif else except \
     finally for from global if import in is lambda match nonlocal not or pass raise return try type while with yield \
     abs bool float getattr hasattr isinstance len list range str tuple zip TypeError ValueError INFINITY \
-    math self points bound order curve derivatives point at f c family values column columns evaluate";
+    math self points bound order curve derivatives point at f c family values column columns evaluate bind partials \
+    curve_after curve_before DOMAIN KNOTS FUNCTIONS ROUNDING ROUNDING_POINT";
 
 /// What every file begins with.
 const SUPPORT: &str = r#"INFINITY = float("inf")
@@ -224,6 +226,13 @@ impl Language for Python {
         let mut arguments: Vec<String> = join.points.iter().map(|net| net.name.clone()).collect();
         arguments.extend(join.scalars.iter().map(|scalar| format!("{}: float", scalar.name)));
         let mut lines: String = join.scalars.iter().map(|scalar| self.check(&join.name, scalar)).collect();
+        for assumption in &join.assumptions {
+            let (expressions, condition) = join_assumption(join, assumption, self);
+            let names: Vec<String> = join.scalars.iter().map(|scalar| scalar.name.clone()).collect();
+            let message = quoted(&format!("{}: the scalars have to satisfy {}", join.name, assumption.text));
+            lines += &Self::lets(&expressions.lets);
+            lines += &format!("_check({message}, {}, {condition})\n", tuple(&names));
+        }
         for net in join.points.iter().filter(|net| !net.single) {
             let (name, count) = (&net.name, net.labels.len());
             let message = quoted(&format!("{}: {count} control points `{name}` are needed", join.name));
@@ -350,12 +359,11 @@ impl Class<'_> {
         for assumption in &code.assumptions {
             let expressions = body(code, &assumption.steps, &self.language);
             lines += &Python::lets(&expressions.lets);
-            let sign = if assumption.strict { ">" } else { ">=" };
             let message =
                 quoted(&format!("{}: the shape values have to satisfy {}", code.name, assumption.text));
             let names: Vec<String> = code.shapes.iter().map(|shape| shape.name.clone()).collect();
-            let value = &expressions.outputs[0].text;
-            lines += &format!("_check({message}, {}, {value} {sign} 0.0)\n", tuple(&names));
+            let condition = condition(assumption, &expressions, &self.language);
+            lines += &format!("_check({message}, {}, {condition})\n", tuple(&names));
         }
         lines += &code.shapes.iter().map(|s| format!("self.{0} = {0}\n", s.name)).collect::<String>();
         if let Some(derived) = code.steps.derived() {
@@ -669,10 +677,9 @@ impl Class<'_> {
             "derivatives, points = _end(curve, {last}, order, f, c, list(points), {})\n",
             code.count()
         );
-        for end in &all {
-            let order = end.positions.len() - 1;
-            lines += &format!("if order == {order}:\n    solve = self._{name}_{order}\n");
-        }
+        let solvers: Vec<String> =
+            orders.iter().map(|order| format!("{order}: self._{name}_{order}")).collect();
+        lines += &format!("solve = {{{}}}[order]\n", solvers.join(", "));
         lines += "solved = _finite(list(_combine(solve, derivatives + points)))\n";
         lines += &format!("return {}(self, solved)\n", self.curve_name());
         let (side, which) = if at_start {

@@ -4,8 +4,8 @@
 //! are no errors on a graphics processor: `Bell_check` says whether shape values may be used.
 
 use super::write::{
-    body, bound_text, indented, inner_knots, inside, join_body, knot_text, member, on_spans, slashes,
-    used_shapes,
+    body, bound_text, condition, indented, inner_knots, inside, join_assumption, join_body, knot_text,
+    member, on_spans, slashes, used_shapes,
 };
 use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape, Value, decimal_f32, is_input};
 use crate::algebra::rational::Rational;
@@ -223,13 +223,31 @@ impl Shader {
     }
 
     /// The function that says whether scalars may be used.
-    fn check(self, name: &str, shapes: &[Shape<'_>], assumptions: &[(String, String)]) -> String {
+    fn check(
+        self,
+        name: &str,
+        shapes: &[Shape<'_>],
+        assumptions: &[(String, String)],
+        texts: &[&str],
+    ) -> String {
         let arguments: Vec<String> = shapes.iter().map(|s| self.argument(&s.name, self.float())).collect();
         let mut all: Vec<String> = shapes.iter().map(|shape| self.is_valid(shape)).collect();
-        let lets: String = assumptions.iter().map(|(lets, _)| lets.as_str()).collect();
-        all.extend(assumptions.iter().map(|(_, condition)| condition.clone()));
-        let lines = format!("{lets}return {};\n", all.join("\n    && "));
-        let ranges: Vec<String> = shapes.iter().map(|shape| shape.shown.clone()).collect();
+        let mut lines = String::new();
+        for (lets, condition) in assumptions {
+            if lets.is_empty() {
+                all.push(condition.clone());
+            } else {
+                // In a block: one assumption's names would meet another's.
+                let inner = format!("{lets}if (!({condition})) {{\n    return false;\n}}\n");
+                lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
+            }
+        }
+        lines += &format!("return {};\n", all.join("\n    && "));
+        let ranges: Vec<String> = shapes
+            .iter()
+            .map(|shape| shape.shown.clone())
+            .chain(texts.iter().map(|text| (*text).to_string()))
+            .collect();
         let about = format!(
             "Whether the values are finite and satisfy {}; no others may be used.",
             ranges.join(", ")
@@ -336,7 +354,16 @@ impl Language for Shader {
         let check = if join.scalars.is_empty() {
             String::new()
         } else {
-            self.check(&join.name, &join.scalars, &[]) + "\n"
+            let conditions: Vec<(String, String)> = join
+                .assumptions
+                .iter()
+                .map(|assumption| {
+                    let (expressions, condition) = join_assumption(join, assumption, self);
+                    (self.lets(&expressions), condition)
+                })
+                .collect();
+            let texts: Vec<&str> = join.assumptions.iter().map(|assumption| assumption.text).collect();
+            self.check(&join.name, &join.scalars, &conditions, &texts) + "\n"
         };
         Ok(check + &slashes(&about) + &function)
     }
@@ -383,13 +410,11 @@ impl Functions<'_> {
                 .iter()
                 .map(|assumption| {
                     let expressions = body(code, &assumption.steps, &language);
-                    let sign = if assumption.strict { ">" } else { ">=" };
-                    let zero = language.literal(&Rational::ZERO);
-                    (language.lets(&expressions), format!("{} {sign} {zero}", expressions.outputs[0].text))
+                    (language.lets(&expressions), condition(assumption, &expressions, &language))
                 })
                 .collect();
-            // One assumption's names would meet another's.
-            parts.push(language.check(&code.name, &code.shapes, &assumptions));
+            let texts: Vec<&str> = code.assumptions.iter().map(|assumption| assumption.text).collect();
+            parts.push(language.check(&code.name, &code.shapes, &assumptions, &texts));
         }
         parts.extend(self.derive());
         parts.extend(self.domain());
@@ -615,7 +640,7 @@ impl Functions<'_> {
 
     fn numbers(&self, name: &str, about: &str, of: &dyn Fn(&FamilySteps<'_>) -> Steps) -> String {
         let language = self.language;
-        let lines = on_spans(self.code, &language, &|on_span| {
+        let lines = on_spans(self.code, &language, "", &|on_span| {
             let expressions = body(self.code, &of(on_span), &language);
             let outputs: Vec<String> = expressions.outputs.iter().map(|value| value.text.clone()).collect();
             language.lets(&expressions) + &format!("return {};\n", language.list(language.float(), &outputs))
@@ -698,7 +723,7 @@ impl Functions<'_> {
             return Some(self.with_vectors(name, about, &arguments, &first, &lines));
         }
         let of = |on_span: &FamilySteps<'_>| of(on_span).unwrap_or_else(|| first.clone());
-        let lines = on_spans(code, &language, &|on_span| {
+        let lines = on_spans(code, &language, "", &|on_span| {
             let steps = of(on_span);
             let one = |k: &usize| language.named(&format!("B{k}"), language.vector(), &format!("bound[{k}]"));
             let inputs: String = super::write::used(&steps, super::write::bound).iter().map(one).collect();

@@ -4,8 +4,8 @@
 //! can be given, so that a loop allocates nothing.
 
 use super::write::{
-    body, bound, comment_line, coordinate, derivative, indented, inner_knots, inside, join_body,
-    join_components, knot_text, on_spans, point, used, used_shapes,
+    body, bound, comment_line, condition, coordinate, derivative, indented, inside, join_assumption,
+    join_body, join_components, knot_text, on_spans, point, used, used_shapes,
 };
 use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape, decimal, is_input};
 use crate::algebra::rational::Rational;
@@ -25,7 +25,8 @@ const RESERVED: &str = "abstract any arguments as async await bigint boolean bre
     number object of package private protected public readonly require return satisfies set static string super \
     switch symbol this throw true try type typeof undefined unique unknown var void while with yield \
     Array ArrayLike Float64Array Infinity Math NaN Number Object RangeError Error String Touching Rounding checkLength \
-    bind curve points dimension bound values derivatives point at count order orders f c axis row inverse result family \
+    bind curve curveAfter curveBefore partials derivatives1 derivatives2 domain knots points dimension bound values \
+    derivatives point at count order orders f c axis row inverse result family \
     coefficients";
 
 /// What every file begins with.
@@ -67,6 +68,13 @@ impl TypeScript {
     fn scalar_lets(expressions: &Expressions) -> String {
         let lets = expressions.lets.iter().filter(|(_, value)| !value.of_points);
         lets.map(|(name, value)| format!("const {name} = {};\n", value.text)).collect()
+    }
+
+    /// An error with this message where a condition does not hold.
+    fn checked(expressions: &Expressions, condition: &str, message: &str) -> String {
+        let inner = Self::scalar_lets(expressions)
+            + &format!("if (!({condition})) {{\n    throw new RangeError({});\n}}\n", quoted(message));
+        format!("{{\n{}}}\n", indented(&inner, "    "))
     }
 
     /// A loop over the components of points: inputs as names with their values, and where the results go.
@@ -192,6 +200,11 @@ impl Language for TypeScript {
         arguments.extend(join.points.iter().map(|net| format!("{}: ArrayLike<number>", net.name)));
         arguments.extend(join.scalars.iter().map(|scalar| format!("{}: number", scalar.name)));
         let mut lines: String = join.scalars.iter().map(|scalar| self.check(&join.name, scalar)).collect();
+        for assumption in &join.assumptions {
+            let (expressions, condition) = join_assumption(join, assumption, self);
+            let message = format!("{}: the scalars do not satisfy {}", join.name, assumption.text);
+            lines += &Self::checked(&expressions, &condition, &message);
+        }
         for net in &join.points {
             lines += &length(&net.name, &net.name, &format!("{} * dimension", net.labels.len()));
         }
@@ -377,15 +390,9 @@ impl Class<'_> {
         let mut lines: String = code.shapes.iter().map(|s| self.language.check(&code.name, s)).collect();
         for assumption in &code.assumptions {
             let expressions = body(code, &assumption.steps, &self.language);
-            let sign = if assumption.strict { ">" } else { ">=" };
-            let message =
-                quoted(&format!("{}: the shape values do not satisfy {}", code.name, assumption.text));
-            let inner = TypeScript::scalar_lets(&expressions)
-                + &format!(
-                    "if (!({} {sign} 0)) {{\n    throw new RangeError({message});\n}}\n",
-                    expressions.outputs[0].text
-                );
-            lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
+            let condition = condition(assumption, &expressions, &self.language);
+            let message = format!("{}: the shape values do not satisfy {}", code.name, assumption.text);
+            lines += &TypeScript::checked(&expressions, &condition, &message);
         }
         lines += &code.shapes.iter().map(|s| format!("this.{0} = {0};\n", s.name)).collect::<String>();
         if let Some(derived) = code.steps.derived() {
@@ -419,7 +426,7 @@ impl Class<'_> {
 
     /// Lines for each span, with the knots that are shape values.
     fn on_spans(&self, of: &str, lines: &dyn Fn(&FamilySteps<'_>) -> String) -> String {
-        self.named_shapes(&inner_knots(self.code), of) + &on_spans(self.code, &self.language, lines)
+        on_spans(self.code, &self.language, &format!("{of}."), lines)
     }
 
     fn unused(&self, steps: &Steps) -> String {

@@ -1,6 +1,6 @@
 //! What the targets share: lines of code, conditions on shape values, and the constants of a file.
 
-use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape};
+use super::{Assumption, Expressions, FamilyCode, JoinCode, Knot, Language, Shape};
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::plan::Input;
@@ -46,6 +46,28 @@ pub(super) fn join_body(join: &JoinCode<'_>, language: &dyn Language) -> Express
     Expressions::new(&join.steps.steps, language, &|input| join.input(input), &join.taken())
 }
 
+/// The sign that is assumed of something, and the expressions that compute it.
+pub(super) fn join_assumption(
+    join: &JoinCode<'_>,
+    assumption: &Assumption<'_>,
+    language: &dyn Language,
+) -> (Expressions, String) {
+    let expressions =
+        Expressions::new(&assumption.steps, language, &|input| join.input(input), &join.taken());
+    let condition = condition(assumption, &expressions, language);
+    (expressions, condition)
+}
+
+/// What is assumed, as a comparison.
+pub(super) fn condition(
+    assumption: &Assumption<'_>,
+    expressions: &Expressions,
+    language: &dyn Language,
+) -> String {
+    let sign = if assumption.strict { ">" } else { ">=" };
+    format!("{} {sign} {}", expressions.outputs[0].text, language.literal(&Rational::ZERO))
+}
+
 /// The components of given and of determined points of a join, as a loop over components has them: inputs with names, and
 /// the places of the results. `element` is the component of a point in a list.
 pub(super) fn join_components(
@@ -65,10 +87,12 @@ pub(super) fn join_components(
     (inputs, outputs)
 }
 
-/// Lines for each span of the domain, in a language with `if (…) {} else {}`; at a knot those of the later one.
+/// Lines for each span of the domain, in a language with `if (…) {} else {}`; at a knot those of the later one. `of` stands
+/// before a shape value that is a knot.
 pub(super) fn on_spans(
     code: &FamilyCode<'_>,
     language: &dyn Language,
+    of: &str,
     lines: &dyn Fn(&FamilySteps<'_>) -> String,
 ) -> String {
     let spans = code.steps.spans();
@@ -76,13 +100,17 @@ pub(super) fn on_spans(
         return lines(&code.steps);
     }
     let (knots, t) = (code.knots(), &code.coordinates[0]);
+    let knot = |knot: &Knot| {
+        let of = if matches!(knot, Knot::Shape(_)) { of } else { "" };
+        format!("{of}{}", knot_text(code, knot, language))
+    };
     let mut text = String::new();
     for span in 0..spans {
         let own = indented(&lines(&code.steps.on_span(span)), "    ");
         text += &match span {
             _ if span + 1 == spans => format!("else {{\n{own}}}\n"),
-            0 => format!("if ({t} < {}) {{\n{own}}}\n", knot_text(code, &knots[1], language)),
-            _ => format!("else if ({t} < {}) {{\n{own}}}\n", knot_text(code, &knots[span + 1], language)),
+            0 => format!("if ({t} < {}) {{\n{own}}}\n", knot(&knots[1])),
+            _ => format!("else if ({t} < {}) {{\n{own}}}\n", knot(&knots[span + 1])),
         };
     }
     text

@@ -221,6 +221,12 @@ pub fn documentation(
     Some(code::docs::family(told, &formulas, &bounds, verdicts, decided))
 }
 
+/// The proved bounds of the rounding errors of all functions of the family that is `told` of; empty where there are none.
+#[cfg(any(test, feature = "tools"))]
+pub fn value_bounds(told: &Family, family: &Family) -> Vec<Option<crate::rounding::Error>> {
+    rounding::of_told(told, family)
+}
+
 /// The quotients of a family that is evaluated by them, one for each span.
 pub(crate) fn rational_forms(family: &Family) -> Option<Vec<RationalForm>> {
     if !is_rational(family) {

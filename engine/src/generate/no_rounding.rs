@@ -7,6 +7,9 @@ use crate::model::Family;
 /// No bounds.
 pub(super) fn errors(_: &Family) {}
 
+/// No bounds.
+pub(super) fn of_told(_: &Family, _: &Family) {}
+
 /// Nothing: the trait has a constant for types without bounds.
 pub(super) fn constant((): &(), _: &TokenStream) -> TokenStream {
     TokenStream::new()

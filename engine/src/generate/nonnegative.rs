@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
+use crate::plan::denominator::Sign;
 use crate::plan::form::{IntervalForm, RationalForm};
 use crate::plan::patch::PatchPlans;
 use crate::plan::{interval, rational};
@@ -105,7 +106,31 @@ pub(super) fn of_quotients(family: &Family, forms: &[RationalForm]) -> Vec<Strin
                 && !form.numerators.functions[k].factored.square.is_empty();
         }
     }
-    lines(family, &squares, &cut_off)
+    let mut all = lines(family, &squares, &cut_off);
+    all.extend(of_denominators(forms));
+    all
+}
+
+/// What rounding could do to denominators, and what is done about it.
+fn of_denominators(forms: &[RationalForm]) -> Vec<String> {
+    let mut parts = Vec::new();
+    if forms.iter().any(|form| form.completed.is_some()) {
+        parts.push(
+            "For values the denominator is computed as a square and what is added to it, which are not negative: it is 0 only where both underflow.",
+        );
+    }
+    if forms.iter().any(|form| form.sign != Sign::Kept) {
+        parts.push(
+            "The Bernstein coefficients of the denominator have both signs: where it is smaller than its rounding error, it may be 0 in floats, and points and derivatives are infinite or NaN.",
+        );
+    }
+    if forms.iter().any(|form| form.sign != Sign::Kept && form.completed.is_none()) {
+        parts.push("So are values.");
+    }
+    if parts.is_empty() {
+        return Vec::new();
+    }
+    vec![String::new(), parts.join(" ")]
 }
 
 fn lines(family: &Family, squares: &[bool], cut_off: &[bool]) -> Vec<String> {

@@ -8,8 +8,8 @@ use super::code::docs;
 use super::code::shell::Shell;
 use super::code::tokens::{doc, float, number, site};
 use super::formula::{factored, is_sum};
-use super::nonnegative;
 use super::rust::Body;
+use super::{nonnegative, rounding};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
@@ -37,7 +37,8 @@ pub(super) fn emit(
         pieces.map(|(piece, form)| OnSpan { shell, family: piece, form, runtime }).listed()
     };
     let emitter = Emitter { shell, spans };
-    let (which, basis) = emitter.basis(&shell.core());
+    let errors = rounding::of_told(told, family);
+    let (which, basis) = emitter.basis(&shell.core(), &rounding::constant(&errors, runtime));
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
         impl<S: #runtime::Scalar> #runtime::#which for #name<S> {
@@ -45,8 +46,8 @@ pub(super) fn emit(
         }
     };
     let formulas = formulas(told, family, forms);
-    let docs =
-        docs::family(told, &formulas, &nonnegative::of_quotients(family, forms), verdicts, shell.decided);
+    let bounds = [nonnegative::of_quotients(family, forms), rounding::lines(&errors, family)].concat();
+    let docs = docs::family(told, &formulas, &bounds, verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }
 
@@ -162,7 +163,7 @@ impl Emitter<'_> {
     }
 
     /// The name of the trait, and what stands in its implementation.
-    fn basis(&self, core: &TokenStream) -> (Ident, TokenStream) {
+    fn basis(&self, core: &TokenStream, bounds: &TokenStream) -> (Ident, TokenStream) {
         let Shell { runtime, family, .. } = self.shell;
         let len = self.len();
         let terms = Literal::usize_unsuffixed(self.spans[0].form.numerators.degree as usize + 1);
@@ -173,7 +174,7 @@ impl Emitter<'_> {
             type Points<T: #core::marker::Copy> = [T; #len];
             type Bernstein<T: #core::marker::Copy> = [T; #terms];
         };
-        let name = quote_spanned!(site()=> const NAME: &'static str = #title;);
+        let name = quote_spanned!(site()=> const NAME: &'static str = #title; #bounds);
         if let [only] = self.spans.as_slice() {
             let (chart, numerators, denominator) = (only.chart(), only.numerators(), only.denominator());
             let code = quote_spanned! {site()=>

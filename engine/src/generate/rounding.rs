@@ -9,6 +9,12 @@ use crate::rounding::{Error, grouped};
 use crate::state::value_errors;
 use basis_prover::collections::list::{Listed, Mapped};
 
+/// The proved bounds for the functions of the family that is `told` of; empty where there are none. Polynomials that are
+/// evaluated in place of its functions differ from these by more than a bound of their own errors says.
+pub(super) fn of_told(told: &Family, family: &Family) -> Vec<Option<Error>> {
+    if told.pieces.len() == family.pieces.len() { errors(family) } else { Vec::new() }
+}
+
 /// The proved bounds for all functions; empty where there are none.
 pub(super) fn errors(family: &Family) -> Vec<Option<Error>> {
     let errors = value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).listed();

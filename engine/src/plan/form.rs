@@ -2,6 +2,7 @@
 
 use basis_prover::collections::list::{Listed, Mapped};
 
+use super::denominator::{Completed, Sign};
 use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement};
 use std::rc::Rc;
 
@@ -100,6 +101,10 @@ pub struct RationalForm {
     pub numerators: IntervalForm,
     /// The common denominator.
     pub denominator: FunctionForm,
+    /// What rounding could do to its sign.
+    pub sign: Sign,
+    /// The denominator with a completed square, where its Bernstein coefficients have both signs and it has such a form.
+    pub completed: Option<Completed>,
     /// Whether the coordinates s and x add up to 1: they do not where they are made of sines.
     pub is_affine: bool,
     /// Whether values are computed from the table of Bernstein coefficients of the numerators, as points of curves are: where these
@@ -140,7 +145,12 @@ impl RationalForm {
         let terms: usize = functions.iter().flat_map(|f| &f.bernstein).map(Poly::len).sum();
         let is_tabulated = is_affine && family.over.is_one() && terms > MAX_TERMS;
         let numerators = IntervalForm { var, low: low.clone(), high: high.clone(), degree, functions };
-        Some(Self { numerators, denominator: form(&family.over, &one)?, is_affine, is_tabulated })
+        let denominator = form(&family.over, &one)?;
+        let sign = Sign::of(family, &denominator);
+        let has_unit = family.analytic.is_empty() || (low.is_zero() && high.is_one());
+        let completes = is_affine && has_unit && sign != Sign::Kept;
+        let completed = completes.then(|| Completed::of(family)).flatten();
+        Some(Self { numerators, denominator, sign, completed, is_affine, is_tabulated })
     }
 }
 

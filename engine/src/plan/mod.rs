@@ -19,6 +19,7 @@
 //! simplices and boxes.
 
 mod build;
+pub mod denominator;
 pub mod ends;
 pub mod form;
 pub mod interval;

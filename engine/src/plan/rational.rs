@@ -23,7 +23,16 @@ pub fn values(family: &Family, form: &RationalForm) -> Plan {
     builder.coordinates = vec![(String::from("s"), s), (String::from("x"), x)];
     let divides = !form.is_affine || !family.over.is_one();
     let mut names = Vec::new();
-    let denominator = divides.then(|| value(&mut builder, &form.denominator.factored, &Poly::one()));
+    let denominator = divides.then(|| match &form.completed {
+        Some(completed) => {
+            let t = builder.parameter_of(family, x);
+            builder.completed(completed, t)
+        }
+        None => {
+            let denominator = value(&mut builder, &form.denominator.factored, &Poly::one());
+            builder.kept(denominator, &form.sign)
+        }
+    });
     let values = numerators.functions.mapped(|f| {
         let numerator = value(&mut builder, &f.factored, &f.denom);
         match denominator {

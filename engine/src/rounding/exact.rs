@@ -280,7 +280,7 @@ fn is_power_of_two(c: &Rational) -> bool {
 }
 
 /// Whether a number is a float of 24 bits, and so of every type of floats here.
-fn is_float(c: &Rational) -> bool {
+pub(super) fn is_float(c: &Rational) -> bool {
     c.is_zero()
         || (odd_part(&c.denom()).is_some_and(|odd| odd.is_one())
             && odd_part(&c.numer().abs()).is_some_and(|odd| odd.bits() <= 24))

@@ -39,9 +39,9 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::model::Family;
+use crate::model::{Family, Parameter};
 use crate::plan::Input;
-use crate::steps::FamilySteps;
+use crate::steps::{FamilySteps, Steps};
 use absolute::Absolute;
 use cell::Cell;
 use exact::Exact;
@@ -150,21 +150,38 @@ impl Bound {
     }
 }
 
-/// Bounds of the errors of the values of all functions; `None` for one without.
+/// Bounds of the errors of the values of all functions; `None` for one without. On several spans a function has one bound
+/// for all of them.
 ///
-/// `None` in place of a list when the work is spent, the family is too large to be generated, or has angles or several spans.
+/// `None` in place of a list when the work is spent, the family is too large to be generated, has angles, or a knot that is
+/// no float.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
-    let steps = on_one_span(family)?.values();
+    let steps = without_angles(family)?;
+    let mut spans = Vec::new();
+    for k in 0..steps.spans() {
+        let own = family.pieces.get(k).map_or(family, |piece| &**piece);
+        spans.push((steps.on_span(k).values(), Inputs::of(own, 0)));
+    }
     basis_prover::working(family.budget, &mut |work| {
-        let inputs = Inputs::of(family, 0);
-        let mut exact = Exact::new(&steps, &inputs)?;
-        Some(steps.outputs.mapped(|output| value(&mut exact, *output, &inputs, work)))
+        let mut exact = Vec::new();
+        for (steps, inputs) in &spans {
+            exact.push(OnSpan { exact: Exact::new(steps, inputs)?, steps, inputs });
+        }
+        Some((0..family.functions.len()).map(|k| value(&mut exact, k, work)).listed())
     })
 }
 
-/// The steps of a family without angles on one span: none other is known to the theorems here.
-fn on_one_span(family: &Family) -> Option<FamilySteps<'_>> {
-    FamilySteps::new(family).filter(|steps| steps.spans() == 1 && family.analytic.is_empty())
+/// The steps of a family without angles, whose inner knots are floats: none other is known to the theorems here.
+fn without_angles(family: &Family) -> Option<FamilySteps<'_>> {
+    let (first, others) =
+        family.pieces.split_first().map_or((family, &[][..]), |(first, rest)| (&**first, rest));
+    // Where a knot is no float, the float next to it lies in the wrong span.
+    let is_fine = |piece: &Family| {
+        let starts_at = |p: &Parameter| p.range.low.value().is_some_and(exact::is_float);
+        piece.analytic.is_empty() && piece.domain.first().is_some_and(starts_at)
+    };
+    (first.analytic.is_empty() && others.iter().all(|piece| is_fine(piece)))
+        .then(|| FamilySteps::new(family))?
 }
 
 /// A bound of the error of each component of a point of a curve or patch, with the binding of its control points, relative
@@ -172,7 +189,7 @@ fn on_one_span(family: &Family) -> Option<FamilySteps<'_>> {
 ///
 /// `None` when the work is spent or nothing is found.
 pub fn point(family: &Family) -> Option<Bound> {
-    let form = on_one_span(family)?;
+    let form = without_angles(family).filter(|steps| steps.spans() == 1)?;
     let Some(curve) = form.curve(1) else {
         return basis_prover::working(family.budget, &mut |work| net::patch_point(family, &form, work));
     };
@@ -190,26 +207,57 @@ pub fn point(family: &Family) -> Option<Bound> {
     })
 }
 
-/// The bound of one value, relative if there is one.
-fn value(exact: &mut Exact<'_>, output: usize, inputs: &Inputs, work: &mut Work) -> Option<Bound> {
-    let cells = |count: u32| Cell::grid(&inputs.region, &inputs.coordinates.mapped(|v| (*v, count)));
-    if let Some(relative) = Relative::new(exact, output, work) {
+/// The steps of the values on one span.
+struct OnSpan<'a> {
+    exact: Exact<'a>,
+    steps: &'a Steps,
+    inputs: &'a Inputs,
+}
+
+type Parts = Vec<(Rational, Part)>;
+
+impl OnSpan<'_> {
+    fn cells(&self, count: u32) -> Vec<Cell> {
+        Cell::grid(&self.inputs.region, &self.inputs.coordinates.mapped(|v| (*v, count)))
+    }
+
+    fn relative(&mut self, function: usize, work: &mut Work) -> Option<Parts> {
+        let relative = Relative::new(&mut self.exact, self.steps.outputs[function], work)?;
         for count in [2, 8] {
-            if let Some(parts) = on_each(&cells(count), &mut |cell| relative.on(exact, cell, work)) {
-                return Some(rounded_up(parts, Error::Relative, &Rational::ZERO));
+            let cells = self.cells(count);
+            let parts = on_each(&cells, &mut |cell| relative.on(&mut self.exact, cell, work));
+            if parts.is_some() {
+                return parts;
             }
         }
+        None
     }
-    let absolute = Absolute::new(exact, output, &[], work)?;
-    let parts = on_each(&cells(16), &mut |cell| absolute.on(exact, cell, work))?;
-    Some(rounded_up(parts, Error::Absolute, &Rational::ZERO))
+
+    fn absolute(&mut self, function: usize, work: &mut Work) -> Option<Parts> {
+        let absolute = Absolute::new(&mut self.exact, self.steps.outputs[function], &[], work)?;
+        on_each(&self.cells(16), &mut |cell| absolute.on(&mut self.exact, cell, work))
+    }
+}
+
+/// The bound of one value, relative if there is one on all spans.
+fn value(spans: &mut [OnSpan<'_>], function: usize, work: &mut Work) -> Option<Bound> {
+    let mut on_all = |is_relative: bool| {
+        let mut all = Vec::new();
+        for span in &mut *spans {
+            let parts =
+                if is_relative { span.relative(function, work) } else { span.absolute(function, work) };
+            all.extend(parts?);
+        }
+        Some(all)
+    };
+    if let Some(parts) = on_all(true) {
+        return Some(rounded_up(parts, Error::Relative, &Rational::ZERO));
+    }
+    Some(rounded_up(on_all(false)?, Error::Absolute, &Rational::ZERO))
 }
 
 /// A part for each cell, or `None` if one has none.
-fn on_each(
-    cells: &[Cell],
-    part: &mut dyn FnMut(&Cell) -> Option<(Rational, Part)>,
-) -> Option<Vec<(Rational, Part)>> {
+fn on_each(cells: &[Cell], part: &mut dyn FnMut(&Cell) -> Option<(Rational, Part)>) -> Option<Parts> {
     let mut parts = Vec::new();
     for cell in cells {
         parts.push(part(cell)?);
@@ -218,7 +266,7 @@ fn on_each(
 }
 
 /// The largest bound, or a number, which are in u, in hundredths of ε.
-fn rounded_up(parts: Vec<(Rational, Part)>, error: fn(Rational) -> Error, least: &Rational) -> Bound {
+fn rounded_up(parts: Parts, error: fn(Rational) -> Error, least: &Rational) -> Bound {
     let mut largest = least.clone();
     for (bound, _) in &parts {
         if *bound > largest {

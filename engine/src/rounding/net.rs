@@ -15,7 +15,7 @@
 use super::absolute::Absolute;
 use super::cell::Cell;
 use super::exact::Exact;
-use super::{Bound, Error, Inputs, Part, on_each, rest, rounded_up, value};
+use super::{Bound, Error, Inputs, OnSpan, Part, on_each, rest, rounded_up, value};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
@@ -63,7 +63,6 @@ pub(super) fn patch_point(family: &Family, steps: &FamilySteps<'_>, work: &mut W
 fn evaluation(family: &Family, steps: &Steps, parts: &mut Vec<Part>, work: &mut Work) -> Option<Rational> {
     let inputs = Inputs { ones: true, ..Inputs::of(family, 0) };
     let mut exact = Exact::new(steps, &inputs)?;
-    let output = *steps.outputs.first()?;
     let factors = factors_of_net(steps)?;
     let [whole] = &Cell::grid(&inputs.region, &[])[..] else { return None };
     let mut conditions: Vec<Poly> = Vec::new();
@@ -84,7 +83,7 @@ fn evaluation(family: &Family, steps: &Steps, parts: &mut Vec<Part>, work: &mut 
         rest: Rational::ZERO,
         own: Some(Rational::ZERO),
     });
-    let bound = value(&mut exact, output, &inputs, work)?;
+    let bound = value(&mut [OnSpan { exact, steps, inputs: &inputs }], 0, work)?;
     let Error::Relative(epsilons) = &bound.error else { return None };
     let kappa = epsilons * &Rational::from(2);
     parts.extend(bound.cells.into_iter().map(|part| Part { own: Some(kappa.clone()), ..part }));

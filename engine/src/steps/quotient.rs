@@ -12,6 +12,7 @@ use crate::generate::rational::split;
 use crate::generate::rational_forms;
 use crate::model::Family;
 use crate::model::angle::{Analytic, Angle, Kind};
+use crate::plan::denominator::Sign;
 use crate::plan::form::RationalForm;
 use crate::plan::{Input, Plan, rational};
 use basis_prover::collections::list::Listed;
@@ -60,6 +61,8 @@ struct Turn {
     rate: Rational,
     factors: [Scalar; 2],
     slopes: [Scalar; 3],
+    /// `Chart::balance`.
+    balance: Scalar,
 }
 
 /// Makes the derived values of all spans.
@@ -107,8 +110,7 @@ impl Deriving {
         if angle.kind == Kind::Circular {
             let tangent = self.builder.call(Function::Tan, argument);
             if complement {
-                let one = self.builder.integer(1);
-                let rest = self.builder.sub(one, tangent);
+                let rest = self.builder.tan_complement(argument, tangent);
                 return self.position(rest, &format!("rest_{name}"));
             }
             return self.position(tangent, &format!("tan_{name}"));
@@ -206,8 +208,9 @@ impl Deriving {
             let cos = turn.map(|end| b.call(Function::Cos, end));
             let (sin, middle) = (b.call(Function::Sin, width), b.call(Function::Cos, width));
             let factors = cos.map(|cos| b.div(cos, sin));
-            // dx/dψ = 1 / (cos² ψ (tan ψ1 − tan ψ0))
-            (factors, [b.div(factors[1], cos[0]), b.div(middle, sin), b.div(factors[0], cos[1])])
+            let one = b.integer(1);
+            let end = b.div(one, sin);
+            (factors, [end, b.div(middle, sin), end])
         } else {
             let [one, two] = [1, 2].map(|n| b.integer(n));
             let below = b.decay(width);
@@ -224,9 +227,14 @@ impl Deriving {
             (factors, [first, b.div(sum, below), b.mul(last, falls)])
         };
         let slopes = slopes.map(|slope| b.mul(slope, by));
+        let balance = match angle.kind {
+            Kind::Circular => b.div(factors[1], factors[0]),
+            _ => b.integer(1),
+        };
+        let balance = self.keep(balance, &format!("balance{number}"));
         let factors = [0, 1].map(|k| self.keep(factors[k], &format!("factor{number}_{k}")));
         let slopes = [0, 1, 2].map(|k| self.keep(slopes[k], &format!("slope{number}_{k}")));
-        Turn { rate, factors, slopes }
+        Turn { rate, factors, slopes, balance }
     }
 }
 
@@ -317,15 +325,22 @@ impl<'a> Quotients<'a> {
     pub(super) fn derivatives(&self, span: usize, order: usize) -> Steps {
         let span = &self.spans[span];
         let mut builder = Builder::default();
-        let rows = span.rows(&mut builder);
-        let weights = span.weights(&mut builder);
+        let mut rows = span.rows(&mut builder);
+        let mut weights = span.weights(&mut builder);
+        if let Some(powers) = span.powers(&mut builder, rows.len()) {
+            for (power, row) in powers.iter().zip(&mut rows) {
+                row.iter_mut().for_each(|entry| *entry = builder.mul(*entry, *power));
+            }
+            weights = weights.map(|weights| builder.scaled(&weights, &powers));
+        }
         let pair = span.coordinates(&mut builder);
         let place = span.place(&mut builder, pair);
         let slopes = span.slopes(&mut builder, place);
         let mut outputs = Vec::new();
         for k in 0..span.form.numerators.len() {
             let column = rows.iter().map(|row| row[k]).listed();
-            let all = builder.quotient(&column, weights.as_deref(), place, slopes, order + 1);
+            let below = weights.as_deref().map(|weights| (weights, &span.form.sign));
+            let all = builder.quotient(&column, below, place, slopes, order + 1);
             outputs.push(all[order]);
         }
         builder.finish(&outputs)
@@ -347,6 +362,7 @@ impl<'a> Quotients<'a> {
         let point = match &weights {
             Some(weights) => {
                 let below = builder.bernstein(weights, s, x);
+                let below = builder.kept(below, &span.form.sign);
                 builder.name(below, "w");
                 builder.div(above, below)
             }
@@ -356,7 +372,13 @@ impl<'a> Quotients<'a> {
         if count > 1 {
             let place = span.place(&mut builder, pair);
             let slopes = span.slopes(&mut builder, place);
-            let all = builder.quotient(&bound, weights.as_deref(), place, slopes, count);
+            let (mut bound, mut weights) = (bound, weights);
+            if let Some(powers) = span.powers(&mut builder, terms) {
+                bound = builder.scaled(&bound, &powers);
+                weights = weights.map(|weights| builder.scaled(&weights, &powers));
+            }
+            let below = weights.as_deref().map(|weights| (weights, &span.form.sign));
+            let all = builder.quotient(&bound, below, place, slopes, count);
             outputs.extend_from_slice(&all[1..]);
         }
         builder.finish(&outputs)
@@ -440,15 +462,11 @@ impl Span<'_> {
         [s, x]
     }
 
-    /// t − low and high − t: ends that are numbers in parts, the first of which a float has exactly.
+    /// t − low and high − t: ends that are numbers in parts.
     fn distances(&self, builder: &mut Builder, t: usize) -> [usize; 2] {
         [0, 1].map(|k| {
             let parts = match &self.ends[k] {
-                Scalar::Known(end) => {
-                    let (first, rest) = split(end, 20);
-                    let (second, third) = split(&rest, 24);
-                    [first, second, third].map(|part| builder.constant(part)).to_vec()
-                }
+                Scalar::Known(end) => builder.parts(end).to_vec(),
                 Scalar::Input(input) => vec![builder.input(*input)],
             };
             let difference = if k == 0 { builder.sub(t, parts[0]) } else { builder.sub(parts[0], t) };
@@ -458,22 +476,41 @@ impl Span<'_> {
         })
     }
 
-    /// `[1 − x, x]` for the place x of the parameter, from its coordinates.
+    /// The powers of `Chart::balance` by which Bernstein coefficients are multiplied for derivatives; `None` where all are 1.
+    fn powers(&self, builder: &mut Builder, count: usize) -> Option<Vec<usize>> {
+        let balance = builder.scalar(&self.turn.as_ref()?.balance);
+        if builder.constant_at(balance).is_some_and(Rational::is_one) {
+            return None;
+        }
+        let mut powers = vec![builder.integer(1)];
+        while powers.len() < count {
+            let last = powers[powers.len() - 1];
+            powers.push(builder.mul(last, balance));
+        }
+        Some(powers)
+    }
+
+    /// `[1 − y, y]` for the balanced place y of the parameter, from its coordinates.
     fn place(&self, builder: &mut Builder, [s, x]: [usize; 2]) -> [usize; 2] {
         if self.form.is_affine {
             return [s, x];
         }
+        let balance = self.turn.as_ref().map(|turn| builder.scalar(&turn.balance));
+        let x = match balance.filter(|step| !builder.constant_at(*step).is_some_and(Rational::is_one)) {
+            Some(balance) => builder.div(x, balance),
+            None => x,
+        };
         let sum = builder.add(s, x);
         [s, x].map(|part| builder.div(part, sum))
     }
 
-    /// dx/dt and d²x/dt² at a place; the second is `None` where it is 0.
+    /// dy/dt and d²y/dt² at a balanced place; the second is `None` where it is 0.
     fn slopes(&self, builder: &mut Builder, [s, x]: [usize; 2]) -> (usize, Option<usize>) {
         let Some(turn) = &self.turn else {
             let ends = self.ends.each_ref().map(|end| builder.scalar(end));
             return (builder.inverse_width(ends), None);
         };
-        // a = q0 s² + 2 q1 s x + q2 x², and its derivative by x.
+        // a = q0 s² + 2 q1 s y + q2 y², and its derivative by y.
         let q = turn.slopes.each_ref().map(|slope| builder.scalar(slope));
         let first = builder.bernstein(&q, s, x);
         let by_x = builder.bernstein_derivative(&q, 1, s, x);
@@ -486,6 +523,43 @@ impl Builder {
         match scalar {
             Scalar::Known(value) => self.constant(value.clone()),
             Scalar::Input(input) => self.input(*input),
+        }
+    }
+
+    /// A number as a sum, of which a float of any kind has the first two parts exactly.
+    fn parts(&mut self, number: &Rational) -> [usize; 3] {
+        let (first, rest) = split(number, 20);
+        let (second, third) = split(&rest, 24);
+        [first, second, third].map(|part| self.constant(part))
+    }
+
+    /// 1 − tan x without the difference, which has no digits near π/4: tan(π/4 − x) (1 + tan x).
+    fn tan_complement(&mut self, x: usize, tangent: usize) -> usize {
+        let [first, second, third] = self.parts(&(&Analytic::pi() * &Rational::new(1, 4)));
+        let rest = self.sub(first, x);
+        let rest = self.add(rest, second);
+        let rest = self.add(rest, third);
+        let rest = self.call(Function::Tan, rest);
+        let one = self.integer(1);
+        let sum = self.add(one, tangent);
+        self.mul(rest, sum)
+    }
+
+    /// Coefficients, each times a number.
+    fn scaled(&mut self, coefficients: &[usize], powers: &[usize]) -> Vec<usize> {
+        coefficients.iter().zip(powers).map(|(c, power)| self.mul(*c, *power)).listed()
+    }
+
+    /// As the plan's, of a denominator in Bernstein form.
+    fn kept(&mut self, denominator: usize, sign: &Sign) -> usize {
+        match sign {
+            Sign::Kept | Sign::Unknown => denominator,
+            Sign::Positive => self.cut_off(denominator),
+            Sign::Negative => {
+                let size = self.neg(denominator);
+                let size = self.cut_off(size);
+                self.neg(size)
+            }
         }
     }
 
@@ -510,7 +584,7 @@ impl Builder {
     fn quotient(
         &mut self,
         numerator: &[usize],
-        denominator: Option<&[usize]>,
+        denominator: Option<(&[usize], &Sign)>,
         [s, x]: [usize; 2],
         (slope, curvature): (usize, Option<usize>),
         count: usize,
@@ -518,8 +592,10 @@ impl Builder {
         let n = (0..count).map(|order| self.bernstein_derivative(numerator, order, s, x)).listed();
         let c = match denominator {
             None => n,
-            Some(denominator) => {
-                let w = (0..count).map(|order| self.bernstein_derivative(denominator, order, s, x)).listed();
+            Some((denominator, sign)) => {
+                let mut w =
+                    (0..count).map(|order| self.bernstein_derivative(denominator, order, s, x)).listed();
+                w[0] = self.kept(w[0], sign);
                 let mut c = vec![self.div(n[0], w[0])];
                 if count > 1 {
                     let known = self.mul(c[0], w[1]);

@@ -33,7 +33,7 @@ struct Turn<S> {
     rate: S,
     /// The factors of the two coordinates.
     factors: [S; 2],
-    /// The Bernstein coefficients of dx/dt as a polynomial of degree 2 in x.
+    /// The Bernstein coefficients of dy/dt as a polynomial of degree 2 in y, the [balanced](Chart::balanced) place.
     slopes: [S; 3],
 }
 
@@ -75,8 +75,8 @@ impl<S: Scalar> Chart<S> {
         let [(_, c0), (_, c1)] = turn.map(S::sin_cos);
         let (sin, cos) = (turn[1] - turn[0]).sin_cos();
         let factors = [c0 / sin, c1 / sin];
-        // dx/dψ = 1 / (cos² ψ (tan ψ1 - tan ψ0))
-        let slopes = [factors[1] / c0, cos / sin, factors[0] / c1].map(|slope| slope * rate);
+        // dy/dψ = 1 / (sin Δ (s + y)²) for s = sin b / sin Δ, y = sin a / sin Δ, and sin² Δ = sin² a + sin² b + 2 sin a sin b cos Δ.
+        let slopes = [S::ONE / sin, cos / sin, S::ONE / sin].map(|slope| slope * rate);
         Self {
             domain,
             tails: [S::ZERO; 2],
@@ -208,6 +208,28 @@ impl<S: Scalar> Chart<S> {
         if matches!(self.kind, Kind::Affine) { x } else { x / (s + x) }
     }
 
+    /// The factor `cos ψ1 / cos ψ0` of a circular map, 1 of others. Where an end is near a right angle `x` is near 0 on all of
+    /// the domain but a small part, and derivatives by it have no digits. Those by `y` keep them, with `1 - y : y = sin b :
+    /// sin a`: a polynomial with the Bernstein coefficients `c[j]` in `x` has in `y`, but for a common factor of all,
+    /// the coefficients `c[j]` times the j-th power of this.
+    #[inline]
+    pub(crate) fn balance(&self) -> S {
+        match self.kind {
+            Kind::Circular(turn) => turn.factors[1] / turn.factors[0],
+            Kind::Affine | Kind::Hyperbolic(_) => S::ONE,
+        }
+    }
+
+    /// The place `0 <= y <= 1` of `t`: see [`balance`](Self::balance).
+    #[inline]
+    pub(crate) fn balanced(&self, t: S) -> S {
+        let Kind::Circular(turn) = self.kind else { return self.place(t) };
+        let [first, second] = turn.factors;
+        let [s, x] = self.coordinates(t);
+        let [s, y] = [s * second, x * first];
+        y / (s + y)
+    }
+
     /// The parameter `t` at the place `x`, exact at both ends.
     #[inline]
     pub fn parameter(&self, x: S) -> S {
@@ -234,9 +256,10 @@ impl<S: Scalar> Chart<S> {
         lo - q.ln_1p() / (S::of(2.0) * turn.rate)
     }
 
-    /// The Taylor coefficients of `x(t + h) - x(t)` in `h`, from that of `h⁰`, which is zero.
+    /// The Taylor coefficients of `y(t + h) - y(t)` in `h`, from that of `h⁰`, which is zero; `y` is the
+    /// [balanced](Self::balanced) place.
     ///
-    /// `dx/dt` is a polynomial `a + b (x - x0) + c (x - x0)²`, so that each coefficient follows from those before it.
+    /// `dy/dt` is a polynomial `a + b (y - y0) + c (y - y0)²`, so that each coefficient follows from those before it.
     #[inline]
     pub(crate) fn expansion(&self, t: S, series: &mut [S]) {
         series.fill(S::ZERO);
@@ -249,7 +272,7 @@ impl<S: Scalar> Chart<S> {
             }
             Kind::Circular(turn) | Kind::Hyperbolic(turn) => turn,
         };
-        let x = self.place(t);
+        let x = self.balanced(t);
         let s = S::ONE - x;
         let two = S::of(2.0);
         let [q0, q1, q2] = turn.slopes;

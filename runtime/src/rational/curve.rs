@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Debug, Formatter};
 
-use super::series::{Room, derivatives};
+use super::series::{Room, Side, derivatives};
 use super::{Chart, RationalBasis};
 use crate::basis::combination;
 use crate::binomial::row;
@@ -39,6 +39,7 @@ pub struct RationalCurve<B: RationalBasis, P: Point<Scalar = B::Scalar>> {
     /// The Bernstein coefficients, times the binomial coefficients, of the numerator and the denominator.
     numerator: B::Bernstein<P>,
     denominator: B::Bernstein<B::Scalar>,
+    side: Side,
     ends: [P; 2],
 }
 
@@ -71,6 +72,7 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
     pub fn new(basis: B, points: B::Points<P>) -> Self {
         let chart = basis.chart();
         let (mut numerator, mut denominator) = (basis.to_bernstein(&points), basis.denominator());
+        let side = Side::of(denominator.as_ref());
         let parts = numerator.as_mut().iter_mut().zip(denominator.as_mut());
         for ((point, weight), binomial) in parts.zip(row(B::DEGREE)) {
             let binomial = B::Scalar::of(binomial);
@@ -81,12 +83,13 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
             let weights = basis.values(end);
             combination(points.as_ref().iter().copied().zip(weights.as_ref().iter().copied()))
         });
-        Self { basis, points, chart, numerator, denominator, ends }
+        Self { basis, points, chart, numerator, denominator, side, ends }
     }
 
     /// The point `C(t)`.
     ///
-    /// At both ends of the domain it equals [`start`](Self::start) and [`end`](Self::end).
+    /// At both ends of the domain it equals [`start`](Self::start) and [`end`](Self::end). Where the Bernstein coefficients
+    /// of the denominator have both signs and it is smaller than its rounding error, the point may be infinite or NaN.
     #[inline]
     pub fn eval(&self, t: B::Scalar) -> P {
         let [s, x] = self.chart.coordinates(t);
@@ -96,7 +99,7 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
         if s == B::Scalar::ZERO {
             return self.ends[1];
         }
-        let weight = nested(self.denominator.as_ref(), s, x);
+        let weight = self.side.keep(nested(self.denominator.as_ref(), s, x));
         let point = nested(self.numerator.as_ref(), s, x);
         P::from_components(|d| point.component(d) / weight)
     }

@@ -13,10 +13,47 @@ pub(crate) struct Room<'a, P: Point> {
     pub(crate) map: &'a mut [P::Scalar],
 }
 
+/// On which side of 0 a denominator lies that has no zeros. Where its Bernstein coefficients have both signs, rounding
+/// may take it to 0 or beyond, and what is divided by it then would have the wrong sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Side {
+    /// The coefficients have one sign, and so have the floats.
+    Kept,
+    /// It is positive.
+    Above,
+    /// It is negative.
+    Below,
+}
+
+impl Side {
+    /// Of the Bernstein coefficients of a denominator: the first and the last one are its values at the ends.
+    pub(crate) fn of<S: Scalar>(coefficients: &[S]) -> Self {
+        let any = |is: fn(S) -> bool| coefficients.iter().any(|c| is(*c));
+        if !(any(|c| c < S::ZERO) && any(|c| c > S::ZERO)) {
+            return Self::Kept;
+        }
+        let [Some(first), Some(last)] = [coefficients.first(), coefficients.last()] else {
+            return Self::Kept;
+        };
+        let end = if *first == S::ZERO { *last } else { *first };
+        if end < S::ZERO { Self::Below } else { Self::Above }
+    }
+
+    /// The denominator, or 0 where it is on the other side; NaN stays NaN.
+    #[inline]
+    pub(crate) fn keep<S: Scalar>(self, weight: S) -> S {
+        match self {
+            Self::Above if weight < S::ZERO => S::ZERO,
+            Self::Below if weight > S::ZERO => S::ZERO,
+            _ => weight,
+        }
+    }
+}
+
 /// The value and derivatives in `t` of `N(x) / W(x)`, as many as there is room for, from the Bernstein coefficients of
 /// `N` and `W`, which are overwritten.
 ///
-/// From `N = W C` the Taylor coefficients of `C` in `x` follow one after the other,
+/// They are taken by the [balanced](Chart::balanced) place `x`. From `N = W C` the Taylor coefficients of `C` in `x` follow one after the other,
 /// `c[k] = (n[k] - Σ w[i] c[k - i]) / w[0]`, the sum over `i = 1, …, k`; Horner's scheme puts the series of `x` in `t`
 /// into that of `C`.
 pub(crate) fn derivatives<P: Point>(
@@ -28,9 +65,22 @@ pub(crate) fn derivatives<P: Point>(
     out: &mut [P],
 ) {
     let Room { curve, weight, map } = room;
-    let x = chart.place(t);
+    let side = Side::of(denominator);
+    let balance = chart.balance();
+    if balance != P::Scalar::ONE {
+        let mut power = P::Scalar::ONE;
+        for (point, weight) in numerator.iter_mut().zip(&mut *denominator) {
+            *point = point.scale(power);
+            *weight = *weight * power;
+            power = power * balance;
+        }
+    }
+    let x = chart.balanced(t);
     taylor(numerator, x, curve);
     taylor(denominator, x, weight);
+    if let Some(weight) = weight.first_mut() {
+        *weight = side.keep(*weight);
+    }
     for k in 0..curve.len() {
         let mut rest = curve[k];
         for i in 1..=k {

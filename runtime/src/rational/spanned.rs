@@ -3,7 +3,7 @@
 use core::fmt::{self, Debug, Formatter};
 
 use super::{Chart, RationalBasis, RationalCurve};
-use crate::{Array, CountError, CurveError, Point, Scalar};
+use crate::{Array, CountError, CurveError, Point, Rounding, Scalar};
 
 /// A family of basis functions `b[0], …, b[LEN - 1]` on several neighbouring spans, with its shape parameters set to
 /// values: on each span quotients of polynomials as those of a [`RationalBasis`], polynomials where the denominator is 1.
@@ -37,6 +37,10 @@ pub trait SpannedBasis: Copy + PartialEq + Debug {
 
     /// The number of spans.
     const SPANS: usize = <Self::Spans<()> as Array<()>>::LEN;
+
+    /// How far each function's computed value can be from the exact one, on all spans, as long as nothing overflows or
+    /// underflows. `basis!` proves these bounds with the feature `rounding`; empty where it finds none.
+    const ROUNDING: &'static [Rounding] = &[];
 
     /// The maps from the spans to `0 <= x <= 1`, in the order of the spans; each ends where the next one begins.
     fn charts(&self) -> Self::Spans<Chart<Self::Scalar>>;

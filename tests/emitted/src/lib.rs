@@ -1,13 +1,17 @@
-//! Families as a file, without the macro. It is written again by the command at its top, from the folder of the
+//! Families as files, without the macro. They are written again by the commands at their top, from the folder of the
 //! workspace; `cargo test -p basis-cli --test command emit` says when that is due, and does it with `INSTA_UPDATE=always`.
 
 /// A curve with its join, a triangle and a box.
 pub mod shapes;
 
+/// Angles and exponentials, a denominator, values that are cut off at 0, and several spans.
+pub mod quotients;
+
 #[cfg(test)]
 mod tests {
-    use basis_runtime::{BoxPatch, Contact, Curve, SimplexPatch};
+    use basis_runtime::{BoxPatch, Contact, Curve, Rounding, SimplexPatch, SpannedBasis};
 
+    use crate::quotients::{Fall, Hump, Peak, Swing};
     use crate::shapes::{Bell, Sheet, SmoothScalars, Tent, smooth};
 
     #[test]
@@ -34,5 +38,25 @@ mod tests {
         let sheet = BoxPatch::new(Sheet::new(), [4.0, 0.0]);
         assert_eq!(sheet.eval([1.0, 0.0]), 1.0);
         assert_eq!(sheet.partial([1.0, 0.0], [1, 1]), 1.0);
+    }
+    /// All that such a file calls is there without features.
+    #[test]
+    fn quotients_are_evaluated() {
+        let swing = Swing::new(3.140_625_f64).expect("inside the range");
+        // The square of cos(t/2), next to its zero.
+        let [first, ..] = swing.values(3.140_625);
+        let exact = (3.140_625_f64 / 2.0).cos().powi(2);
+        assert!((first / exact - 1.0).abs() < 1e-14, "{first} {exact}");
+        assert!(Swing::new(3.25).is_err());
+        let fall = Fall::new(2.0).expect("inside the range");
+        assert_eq!(fall.values(0.0), [1.0, 0.0]);
+        let peak = Peak::new(0.25, 0.5).expect("inside the ranges");
+        assert_eq!(peak.values(0.75), [0.5, 0.5, 0.25]);
+        // Both parts of the denominator underflow: no value of the wrong sign.
+        let narrow = Peak::new(0.25_f32, 1e-30).expect("inside the ranges");
+        assert!(narrow.values(0.25)[0].is_nan());
+        let hump = Hump::new(1.0).expect("inside the range");
+        assert_eq!(hump.values(1.0), [2.0, 0.0]);
+        assert!(matches!(Hump::<f32>::ROUNDING, [Rounding::Relative(_), Rounding::Absolute(_)]));
     }
 }

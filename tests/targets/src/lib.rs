@@ -139,6 +139,10 @@ fn all_cases() -> Vec<Case> {
         own("Tension", &[0.75]),
         own("Arc", &[2.875]),
         own("Half", &[]),
+        own("DBL_MAX", &[0.5, 0.75]),
+        own("Straight", &[3.140_625]),
+        case(None, "Arc", &[], "NearlyHalf", &[3.0]),
+        own("Peak", &[0.375, 0.5]),
         of("trigonometric/han", "QuadraticTrigonometric", &[], &[0.5]),
     ]
 }
@@ -570,9 +574,7 @@ impl Join {
     /// # Panics
     /// When it is not there.
     pub fn new() -> Self {
-        let library = Library::from_source(&Disk, &Prover, Source::text("curves.basis", OWN));
-        let item = theorems(&library).into_iter().find(|item| item.subject.name() == "Smooth");
-        let wanted = Wanted { checked: decide(item.expect("in the file")), name: None };
+        let wanted = wanted_join("Smooth");
         let points = vec![0.5, 1.25, -2.0, 3.5, 1.75, 0.125, -0.375, 2.5];
         Self { delta: 1.625, points, wanted }
     }
@@ -582,9 +584,7 @@ impl Join {
     /// # Panics
     /// When there is no code for it.
     pub fn emit(&self, language: &dyn Language) -> String {
-        let items = [self.wanted.clone()];
-        let job = Job { items: &items, spec: "curves.basis", command: "basis emit" };
-        emit::emit(language, &job).unwrap_or_else(|errors| panic!("{}", errors[0].message))
+        emit_join(&self.wanted, language)
     }
 
     /// The determined points Q\[0] and Q\[1], component by component.
@@ -608,6 +608,30 @@ impl Join {
         (0..2).flat_map(point).map(one).collect()
     }
 }
+
+fn wanted_join(name: &str) -> Wanted {
+    let library = Library::from_source(&Disk, &Prover, Source::text("curves.basis", OWN));
+    let item = theorems(&library).into_iter().find(|item| item.subject.name() == name);
+    Wanted { checked: decide(item.expect("in the file")), name: None }
+}
+
+fn emit_join(wanted: &Wanted, language: &dyn Language) -> String {
+    let items = [wanted.clone()];
+    let job = Job { items: &items, spec: "curves.basis", command: "basis emit" };
+    emit::emit(language, &job).unwrap_or_else(|errors| panic!("{}", errors[0].message))
+}
+
+/// The file with the join `Related`, whose scalars are related to one another. With P = 0, 1, 3 and the scalars
+/// [`RELATED`] it gives 3, 4; each list of [`UNRELATED`] does not satisfy one of its three relations.
+pub fn related_join(language: &dyn Language) -> String {
+    emit_join(&wanted_join("Related"), language)
+}
+
+/// Scalars that satisfy what the join `Related` assumes.
+pub const RELATED: &str = "2.0, 1.0, 0.5, 0.5";
+
+/// Scalars that do not, the relations in their order.
+pub const UNRELATED: [&str; 3] = ["1.0, 2.0, 0.5, 0.5", "2.0, 1.0, 1.0, 0.75", "2.0, 1.0, -0.8125, 1.0"];
 
 impl Default for Join {
     fn default() -> Self {

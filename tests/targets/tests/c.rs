@@ -6,7 +6,8 @@ use std::process::Command;
 use basis_engine::emit::FamilyCode;
 use basis_engine::emit::c::{C, Scalar};
 use basis_tests_targets::{
-    Case, DIMENSION, Floats, Join, Rounds, cases, compare, guide, has, list, orders, run, write,
+    Case, DIMENSION, Floats, Join, RELATED, Rounds, UNRELATED, cases, compare, guide, has, list, orders,
+    related_join, run, write,
 };
 
 /// A program that prints all results.
@@ -178,7 +179,7 @@ fn headers_compile_by_every_standard() {
     all += "int main(void) { return 0; }\n";
     write(folder, "all.c", &all);
     write(folder, "all.cpp", &all);
-    let strict = ["-Wall", "-Wextra", "-Werror", "-pedantic", "-fsyntax-only"];
+    let strict = ["-Wall", "-Wextra", "-Wshadow", "-Werror", "-pedantic", "-fsyntax-only"];
     for (compiler, file, standards) in [
         ("gcc", "all.c", &["c99", "c11", "c17", "c2x", "gnu17"][..]),
         ("clang", "all.c", &["c99", "c11", "c17", "c2x", "gnu17"]),
@@ -238,6 +239,30 @@ fn joins_are_those_of_the_steps() {
     );
     compare(&run(folder, "./main", &[]), &join.expected(), Rounds::EveryStep)
         .unwrap_or_else(|e| panic!("{e}"));
+}
+
+/// Each relation has a number of its own, after those of the scalars.
+#[test]
+#[ignore = "needs gcc"]
+fn joins_check_how_scalars_are_related() {
+    if !has("gcc", &["--version"]) {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    write(folder, "join.h", &related_join(&C(Scalar::F64)));
+    let mut program = format!(
+        "#include \"join.h\"\nint main(void) {{\nconst double P[] = {{0.0, 1.0, 3.0}}; double Q[2];\n\
+         if (related(1, P, {RELATED}, Q) != 0 || Q[0] != 3.0 || Q[1] != 4.0) return 1;\n"
+    );
+    for (k, scalars) in UNRELATED.iter().enumerate() {
+        let number = 5 + k;
+        let _ = writeln!(program, "if (related(1, P, {scalars}, Q) != {number}) return {number};");
+    }
+    write(folder, "main.c", &(program + "return 0; }\n"));
+    let strict = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "main.c", "-o", "main"];
+    run(folder, "gcc", &strict);
+    run(folder, "./main", &[]);
 }
 
 #[test]

@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use basis_engine::emit::FamilyCode;
 use basis_engine::emit::python::Python;
 use basis_tests_targets::{
-    Case, DIMENSION, Floats, Join, Rounds, cases, compare, guide, has, orders, run, write,
+    Case, DIMENSION, Floats, Join, RELATED, Rounds, UNRELATED, cases, compare, guide, has, orders,
+    related_join, run, write,
 };
 
 /// A program that prints all results; `number` makes numbers of a kind from floats.
@@ -214,6 +215,48 @@ fn joins_are_those_of_the_steps() {
     write(folder, "main.py", &program);
     let printed = run(folder, "python3", &["main.py"]);
     compare(&printed, &join.expected(), Rounds::EveryStep).unwrap_or_else(|e| panic!("{e}"));
+}
+
+#[test]
+#[ignore = "needs python3"]
+fn joins_check_how_scalars_are_related() {
+    if !has("python3", &["--version"]) {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    write(folder, "join.py", &related_join(&Python));
+    let mut program = format!(
+        "from join import related\nP = [0.0, 1.0, 3.0]\nassert list(related(P, {RELATED})) == [3.0, 4.0]\n"
+    );
+    for scalars in UNRELATED {
+        let _ = writeln!(
+            program,
+            "try: related(P, {scalars})\nexcept ValueError: pass\nelse: raise SystemExit('{scalars}')"
+        );
+    }
+    write(folder, "main.py", &program);
+    run(folder, "python3", &["main.py"]);
+}
+
+/// All families in one file: where names meet, or a name has two types, mypy says so.
+#[test]
+#[ignore = "needs mypy"]
+fn type_hints_agree() {
+    if !has("python3", &["-m", "mypy", "--version"]) {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let mut files = Vec::new();
+    for case in cases() {
+        let name = format!("{}_of_case.py", case.name);
+        write(folder, &name, &case.emit(&Python));
+        files.push(name);
+    }
+    let mut arguments = vec!["-m", "mypy", "--python-version", "3.10"];
+    arguments.extend(files.iter().map(String::as_str));
+    run(folder, "python3", &arguments);
 }
 
 /// What is wrong is an error, of Python's own kind.

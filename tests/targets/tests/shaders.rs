@@ -1,7 +1,7 @@
 //! WGSL and GLSL: valid for naga, and GLSL for the reference compiler too.
 
 use basis_engine::emit::shader::Shader;
-use basis_tests_targets::{cases, has, run, write};
+use basis_tests_targets::{cases, has, related_join, run, write};
 use naga::front::{glsl, wgsl};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
@@ -15,7 +15,8 @@ fn validate(module: &naga::Module, name: &str) {
 /// All families together, so that no two have a name in common.
 #[test]
 fn wgsl_is_valid() {
-    let text: String = cases().iter().map(|case| case.emit(&Shader::Wgsl)).collect();
+    let families = cases().into_iter().map(|case| case.emit(&Shader::Wgsl));
+    let text: String = families.chain([related_join(&Shader::Wgsl)]).collect();
     let module = wgsl::parse_str(&text).unwrap_or_else(|error| panic!("{}", error.emit_to_string(&text)));
     validate(&module, "WGSL");
     let kernels: Vec<&str> = module.entry_points.iter().map(|entry| entry.name.as_str()).collect();
@@ -27,7 +28,8 @@ fn wgsl_is_valid() {
 }
 
 fn fragment_shader(version: &str) -> String {
-    let functions: String = cases().iter().map(|case| case.emit(&Shader::Glsl)).collect();
+    let families = cases().into_iter().map(|case| case.emit(&Shader::Glsl));
+    let functions: String = families.chain([related_join(&Shader::Glsl)]).collect();
     format!(
         "#version {version}\nprecision highp float;\n{functions}\nout vec4 color;\nvoid main() {{\n    \
          vec4 points[4] = vec4[4](vec4(0.0), vec4(1.0), vec4(2.0), vec4(3.0));\n    \

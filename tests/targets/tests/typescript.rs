@@ -4,7 +4,10 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use basis_engine::emit::typescript::TypeScript;
-use basis_tests_targets::{Case, DIMENSION, Floats, Rounds, cases, compare, has, list, orders, run, write};
+use basis_tests_targets::{
+    Case, DIMENSION, Floats, RELATED, Rounds, UNRELATED, cases, compare, has, list, orders, related_join,
+    run, write,
+};
 
 /// The compiler, of the packages that `npm ci` installs beside the manifest; none where it is not installed.
 fn compiler() -> Option<String> {
@@ -108,15 +111,21 @@ fn wrong_values_throw() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();
     write(folder, "package.json", "{ \"type\": \"module\" }\n");
-    for name in ["QuarticBernstein", "double", "Slab"] {
+    let emitted = |name: &str| {
         let case = cases().into_iter().find(|case| case.name == name).expect("among the cases");
-        write(folder, &format!("{name}.ts"), &case.emit(&TypeScript));
+        case.emit(&TypeScript)
+    };
+    let joins = ("join", related_join(&TypeScript));
+    let families = ["QuarticBernstein", "double", "Slab"].map(|name| (name, emitted(name)));
+    for (name, text) in families.into_iter().chain([joins]) {
+        write(folder, &format!("{name}.ts"), &text);
         run(folder, "node", &[&compiler, "--target", "es2020", "--module", "es2020", &format!("{name}.ts")]);
     }
     let program = "\
 import { QuarticBernstein as Q } from './QuarticBernstein.js';
 import { double } from './double.js';
 import { Slab } from './Slab.js';
+import { related } from './join.js';
 function refused(call) {
     try { call(); } catch (error) { if (error instanceof RangeError) return error.message; throw error; }
     throw new Error(`${call} was accepted`);
@@ -135,6 +144,11 @@ const next = new Q(0.5).curveAfter(curve, { order: 1 }, points);
 if (next.points[0] !== 4 || next.points[1] !== 0) throw new Error('the end');
 refused(() => new Slab(1).partials(0.5, 0.5, [3, 0]));
 ";
-    write(folder, "main.js", program);
+    let mut program = String::from(program);
+    program += &format!("if (related(1, [0, 1, 3], {RELATED}).Q[1] !== 4) throw new Error('a join');\n");
+    for scalars in UNRELATED {
+        program += &format!("refused(() => related(1, [0, 1, 3], {scalars}));\n");
+    }
+    write(folder, "main.js", &program);
     run(folder, "node", &["main.js"]);
 }

@@ -158,3 +158,68 @@ fn where_an_angle_is_nearly_half_a_turn() {
         ),
     ]);
 }
+
+/// Derivatives of order 1 and 2 keep their digits there, too: they are at most about 1 in size.
+fn derivatives_of_nearly_half_a_turn<S: Scalar>() {
+    let rows: [(f64, usize, [f64; 5]); 6] = [
+        (0.0, 1, [-0.00159254902220518563, 0.00159254902220518563, 0.0, 0.0, 0.0]),
+        (0.0, 2, [-0.999998097840708905, -3.80431858219003924e-6, 1.0000019021592911, 0.0, 0.0]),
+        (
+            1.5,
+            1,
+            [
+                -0.533295382075430961,
+                -0.00073224638740618078,
+                0.0697160923448901342,
+                0.000843457104703824752,
+                0.463468079013243183,
+            ],
+        ),
+        (
+            1.5,
+            2,
+            [
+                0.460644785067911888,
+                -0.00101525520099106548,
+                -0.989424166778350789,
+                -0.000570884781807736579,
+                0.530365521693237703,
+            ],
+        ),
+        (
+            3.125,
+            1,
+            [
+                -8.43721311101276454e-7,
+                -2.68719242467759419e-7,
+                -0.014997614765874961,
+                -0.00159204408397445436,
+                0.0165907712904029844,
+            ],
+        ),
+        (
+            3.125,
+            2,
+            [
+                0.000168736754071389786,
+                0.0000358254799710239252,
+                0.999516103019652995,
+                -0.0000635159303850711859,
+                -0.999657149323310338,
+            ],
+        ),
+    ];
+    let basis = Arc::new(S::of(3.140000104904175)).unwrap();
+    for (t, order, row) in rows {
+        for (found, exact) in basis.derivatives(S::of(t), order).into_iter().zip(row) {
+            let error = (found.to_f64() - exact).abs() / epsilon::<S>();
+            assert!(error < 24.0, "{found:?} in place of {exact} at {t}: {error} ε");
+        }
+    }
+}
+
+#[test]
+fn derivatives_where_an_angle_is_nearly_half_a_turn() {
+    derivatives_of_nearly_half_a_turn::<f32>();
+    derivatives_of_nearly_half_a_turn::<f64>();
+}
