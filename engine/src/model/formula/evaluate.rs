@@ -217,14 +217,13 @@ impl Scope<'_> {
                 Some(Value::List(list))
             }
             (Value::List(x), Value::List(y)) => {
-                self.report(self.error(
-                    span,
-                    format!("lists of {} and {} functions cannot be combined", x.len(), y.len()),
-                ));
+                let message = format!("lists of {} and {} functions cannot be combined", x.len(), y.len());
+                self.report(self.error(span, message).help("write lists with as many entries"));
                 None
             }
             _ => {
-                self.report(self.error(span, "a list and a single function cannot be added"));
+                let error = self.error(span, "a list and a single function cannot be added");
+                self.report(error.help("pick one entry of the list, such as `b[0]` or `y[0]`"));
                 None
             }
         }
