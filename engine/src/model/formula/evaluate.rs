@@ -49,7 +49,7 @@ impl Scope<'_> {
                         error.help("write parentheses, `(…)`: square brackets make a list")
                     }
                     ExprKind::List(_) => error.help(
-                        "a function has one value, and the entries of a list cannot be lists; write a function or a name for each entry, or a family for each component",
+                        "a function has one value, and the entries of a list cannot be lists; write a function or a name for each entry, a matrix as one list, `m[3*i + j]`, or a family for each component",
                     ),
                     _ => error.help("pick one of them with an index, such as `b[0]`"),
                 });
