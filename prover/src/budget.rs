@@ -24,7 +24,12 @@ thread_local! {
     static SPENT: Cell<u64> = const { Cell::new(0) };
     /// What may be spent on this thread before `within` ends.
     static CEILING: Cell<u64> = const { Cell::new(u64::MAX) };
+    /// The units of the innermost `within`.
+    static SHARE: Cell<u64> = const { Cell::new(u64::MAX) };
 }
+
+/// How many times its share of the work a claim may take in one check of a proof that was found.
+const CHECKS: u64 = 4;
 
 /// The units that all decisions on this thread have taken so far: what one claim takes is the difference.
 pub fn spent() -> u64 {
@@ -41,11 +46,24 @@ pub(crate) fn charge(units: u64) {
 /// A claim about spans, or one that takes enclosures of a sine, is decided in many parts, and each of them has a budget
 /// of its own.
 pub fn within<T>(units: u64, work: &mut dyn FnMut() -> T) -> T {
-    let outer = CEILING.get();
-    CEILING.set(outer.min(spent().saturating_add(units)));
+    let outer = (CEILING.get(), SHARE.get());
+    CEILING.set(outer.0.min(spent().saturating_add(units)));
+    SHARE.set(outer.1.min(units));
     let result = work();
-    CEILING.set(outer);
+    CEILING.set(outer.0);
+    SHARE.set(outer.1);
     result
+}
+
+/// The work for checking a proof that was found, with `budget` times the usual work.
+pub(crate) fn checking(budget: u32) -> Work {
+    Work::new(Work::usual(budget).left().min(SHARE.get().saturating_mul(CHECKS)))
+}
+
+/// What counts of a check that was refused for want of work. It ends when something is more than what is left, of which
+/// nothing is done; all that was left is counted by the kernel.
+pub(crate) fn charge_refused(units: u64) {
+    charge(units.min(SHARE.get()));
 }
 
 /// Does work that belongs to a decision, such as expanding what is to be decided, with `budget` times the usual work.

@@ -12,7 +12,7 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::budget::{Budget, charge};
+use crate::budget::{Budget, charge, charge_refused, checking};
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_unique;
 use crate::coordinate::Coordinate;
@@ -98,7 +98,11 @@ fn direct(statement: &Statement) -> Method {
 fn checked(statement: &Rc<Statement>, certificate: Certificate, mut work: Work) -> Result<Proof, Refusal> {
     let before = work.left();
     let proof = Proof::new(Rc::clone(statement), certificate, &mut work);
-    charge(before - work.left());
+    let units = before - work.left();
+    match &proof {
+        Err(Refusal::Spent) => charge_refused(units),
+        _ => charge(units),
+    }
     proof
 }
 
@@ -109,7 +113,7 @@ fn propose(
     method: Method,
     budget: u32,
 ) -> Result<Shown, Failure> {
-    match checked(statement, certificate, Work::usual(budget)) {
+    match checked(statement, certificate, checking(budget)) {
         Ok(proof) => Ok(Shown { proof, method }),
         Err(refusal) => Err(Failure::Undecided(format!("a proof was found, but not accepted: {refusal}"))),
     }

@@ -240,7 +240,9 @@ impl Table<'_> {
             let slack = slack.unwrap_or(Rational::ZERO);
             [x.clone(), x + &slack, x - &slack].iter().any(|x| parameter.range.contains(x))
         });
-        if inner.is_none() || !inside && !self.anyway {
+        // Where the domain ends at a shape parameter with a wrong value, that is the mistake.
+        let follows = role == Role::At && !self.errors.is_empty() && family.analytic.angle(var).is_some();
+        if !follows && (inner.is_none() || !inside && !self.anyway) {
             let message = format!("{name} = {value} is outside of the {} `{range}`", role.place());
             let choice = match family.analytic.angle(var) {
                 Some(_) if !tangent => String::from("choose a value inside"),

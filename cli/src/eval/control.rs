@@ -87,6 +87,11 @@ fn coordinates<'t>(fields: impl Iterator<Item = &'t str>, whole: &str) -> Result
 }
 
 fn malformed(text: &str) -> Diagnostic {
+    // Letters and a dot are the name of a file; numbers have no letters.
+    if Path::new(text).extension().is_some_and(|e| e.to_string_lossy().starts_with(char::is_alphabetic)) {
+        let help = "a file has one point a line; points are also typed, \"0,0 1,2 3,2 4,0\"";
+        return error(format!("there is no file `{text}`")).help(help);
+    }
     let help = "write exact numbers with commas, and spaces between points: \"0,0 1,2 3,2 4,0\"; or name a file with one point a line";
     error(format!("`{text}` is not a control point")).help(help)
 }

@@ -3,7 +3,7 @@
 use basis_engine::claim::ClaimKind;
 use basis_engine::query::{FunctionFacts, function_facts, latex};
 use basis_engine::state::as_declared;
-use basis_engine::{Checked, Claim, Family, Subject, Verdict, explain};
+use basis_engine::{Checked, Claim, Family, Library, Subject, Verdict, explain};
 use serde::Serialize;
 
 use crate::domain;
@@ -213,6 +213,7 @@ impl FamilyFacts {
     /// What follows from the formulas of a family, on one span if it has several; its claims are those in `checked`, `next`
     /// is its next order, and `conversions` are matrices to and from another family.
     pub(super) fn new(
+        library: &Library<'_>,
         family: &Family,
         span: &Family,
         checked: Option<&Checked>,
@@ -247,7 +248,7 @@ impl FamilyFacts {
                 .map(|(of, bound)| Rounding { of, bound })
                 .collect(),
             contacts: explain::contacts(span).into_iter().map(contact).collect(),
-            matrices: conversions.iter().chain(&explain::matrices(span, next)).map(matrix).collect(),
+            matrices: conversions.iter().chain(&explain::matrices(library, span, next)).map(matrix).collect(),
             extrema: explain::extrema(span).into_iter().map(extrema).collect(),
             nonnegative: explain::nonnegative_ranges(span).iter().map(ToString::to_string).collect(),
             claims: checked.map_or_else(Vec::new, claims),

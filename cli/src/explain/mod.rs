@@ -93,7 +93,7 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
         for (k, span) in spans.iter().enumerate() {
             let checked = checked.as_ref().filter(|_| k == 0);
             let facts = run.counted_work(family.budget, &mut || {
-                FamilyFacts::new(&family, span, checked, next.as_deref(), &conversions)
+                FamilyFacts::new(&library, &family, span, checked, next.as_deref(), &conversions)
             });
             all.push(Facts::Family(Box::new(facts)));
         }

@@ -302,6 +302,46 @@ fn degree_elevation() {
     assert_eq!(matrix(&run, "elevation"), [["1", "1 - 1/2*h", "1 - h"], ["0", "1/2*h", "h"]]);
 }
 
+/// On simplices and boxes curves' rule holds in each factor; the sum of each column stays that of the coefficients of 1.
+#[test]
+fn degree_elevation_of_several_variables() {
+    let spec = "family Triangle { domain triangle (u, v, w); b[0] = u; b[1] = v; b[2] = w; }
+        family Box { domain 0 <= u <= 1, 0 <= v <= 2; b[0] = (1 - u)*v; b[1] = u; }";
+    let folder = Folder::with("e.basis", spec);
+    let run = |name: &str| folder.run(&["explain", "e.basis", name, "--format", "json"]);
+    let half = ["0", "0", "0", "1/2", "1/2", "1"];
+    assert_eq!(matrix(&run("Triangle"), "elevation")[0], half);
+    // v from 0 to 2 is 2·(0, 1/2, 1); 1 - u is (1, 1/2, 0), all in the degree 2.
+    let rows = matrix(&run("Box"), "elevation");
+    assert_eq!(rows[0], ["0", "1", "2", "0", "1/2", "1", "0", "0", "0"]);
+    assert_eq!(rows[1], ["0", "0", "0", "1/2", "1/2", "1/2", "1", "1", "1"]);
+}
+
+/// Integrals of everything that a claim could integrate: angles, exponentials, ends that are parameters, quotients.
+#[test]
+fn integrals_of_functions_that_are_no_polynomials() {
+    let spec = "family Angle { domain 0 <= s <= pi/2; b[0] = 1 - sin(s); b[1] = sin(s); }
+        family Exponential { domain 0 <= t <= 1; b[0] = exp(t); }
+        family End { shape 0 < h; domain 0 <= x <= h; b[0] = 1 - x/h; b[1] = x/h; }
+        family AngleEnd { shape 0 < a < pi; domain 0 <= s <= a; b[0] = 1 - cos(s); }
+        family Quotient { domain 0 <= x <= 1; b[0] = 1/(1 + x); }
+        family Logarithm { domain 0 <= x <= 1; b[0] = 1/(1 + x); b[1] = 1; }";
+    let folder = Folder::with("i.basis", spec);
+    let run = |name: &str| folder.run(&["explain", "i.basis", name, "--format", "json"]);
+    let angle = run("Angle");
+    assert_eq!(matrix(&angle, "mass"), [["3/4*pi - 2", "1 - 1/4*pi"], ["1 - 1/4*pi", "1/4*pi"]]);
+    assert_eq!(matrix(&angle, "stiffness")[0], ["1/4*pi", "-1/4*pi"]);
+    assert_eq!(matrix(&angle, "moments")[1], ["1/8*pi^2 - 1", "1"]);
+    assert_eq!(matrix(&run("Exponential"), "mass"), [["1/2*exp(2) - 1/2"]]);
+    let end = run("End");
+    assert_eq!(matrix(&end, "mass"), [["1/3*h", "1/6*h"], ["1/6*h", "1/3*h"]]);
+    assert_eq!(matrix(&end, "stiffness"), [["1/h", "-1/h"], ["-1/h", "1/h"]]);
+    assert_eq!(matrix(&run("AngleEnd"), "moments")[0], ["a - sin(a)"]);
+    assert_eq!(matrix(&run("Quotient"), "mass"), [["1/2"]]);
+    // The integral of b[0]*b[1] is a logarithm.
+    assert!(!run("Logarithm").stdout.contains("\"kind\":\"mass\""));
+}
+
 #[test]
 fn zeros_and_extrema() {
     let spec = "family Timmer { domain 0 <= t <= 1;

@@ -2,14 +2,17 @@
 //! moments.
 
 use basis_prover::collections::list::{Listed, Mapped};
+use proc_macro2::Span;
 
+use super::reading;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::angle::{Angle, Kind};
-use crate::model::{Factor, Family, Function};
-use crate::plan::patch_form::{PatchForm, exponents};
+use crate::model::scope::Scope;
+use crate::model::{Factor, Family, Function, Library};
+use crate::plan::patch_form::{Group, PatchForm, exponents};
 
 /// The work for the matrices of a family.
 const WORK: u64 = 5_000_000;
@@ -72,27 +75,33 @@ pub struct Matrix {
     pub entries: Vec<Vec<Fraction>>,
     /// The names of the variables in them.
     pub names: Vec<String>,
+    /// The entries for reading, where they are made of sin, cos, exp and the like.
+    written: Option<Vec<Vec<String>>>,
 }
 
 impl Matrix {
     /// The entries for reading.
     pub fn texts(&self) -> Vec<Vec<String>> {
-        self.entries.mapped(|row| row.mapped(|entry| entry.display(&self.names)))
+        let plain = || self.entries.mapped(|row| row.mapped(|entry| entry.display(&self.names)));
+        self.written.clone().unwrap_or_else(plain)
     }
 }
 
 /// The matrices of a family on an interval, a triangle, a tetrahedron, a box or a product of these; `next` is the family in its next order.
 ///
-/// Families with sin, exp or the like have none, nor have those with many functions; what takes too much work, and the
-/// inverse of a matrix that has none, is left out.
-pub fn matrices(family: &Family, next: Option<&Family>) -> Vec<Matrix> {
-    if !is_plain(family) || family.functions.len() > MAX_FUNCTIONS {
+/// Families with sin, exp or the like have integrals only. Left out are integrals that leave the functions of a spec, such
+/// as logarithms, what takes too much work, the inverse of a matrix that has none, and all of families with many functions.
+pub fn matrices(library: &Library<'_>, family: &Family, next: Option<&Family>) -> Vec<Matrix> {
+    if family.functions.len() > MAX_FUNCTIONS {
         return Vec::new();
     }
     let work = &mut Work::new(WORK);
-    let mut all = bernstein(family, work);
-    all.extend(elevation(family, next, work));
-    all.extend(integrals(family, work));
+    let mut all = Vec::new();
+    if is_plain(family) {
+        all = bernstein(family, work);
+        all.extend(elevation(family, next, work));
+    }
+    all.extend(integrals(library, family, work));
     all
 }
 
@@ -139,27 +148,30 @@ struct Table {
 /// The Bernstein coefficients of functions on the domain of a family.
 fn table(family: &Family, functions: &[Function]) -> Option<Table> {
     let form = PatchForm::of_functions(family, functions)?;
-    let curve = form.groups.len() == 1 && form.groups[0].vars.len() == 1;
-    let mut columns = Vec::new();
-    for e in exponents(&form.groups, &form.degrees) {
+    let columns = bernstein_names(&form.groups, &form.degrees);
+    let row = |f: &crate::plan::patch_form::PatchFunction| {
+        let entry = |c: &Poly| Fraction::new(c.clone(), f.denom.clone()).unwrap_or_else(Fraction::zero);
+        f.bernstein.mapped(entry)
+    };
+    let rows = form.functions.mapped(row);
+    Some(Table { rows, columns, degrees: form.degrees })
+}
+
+/// The names of Bernstein polynomials, in the order of their coefficients.
+fn bernstein_names(groups: &[Group], degrees: &[u32]) -> Vec<String> {
+    let name = |e: &Vec<u32>| {
         let mut index: Vec<String> = Vec::new();
         let mut rest = e.as_slice();
-        for group in &form.groups {
+        for group in groups {
             let (own, others) = rest.split_at(group.vars.len() + 1);
             // Of x and s the power of x says all.
             let shown = if group.vars.len() == 1 { &own[..1] } else { own };
             index.extend(shown.iter().map(u32::to_string));
             rest = others;
         }
-        columns.push(format!("B[{}]", index.join(",")));
-    }
-    let row = |f: &crate::plan::patch_form::PatchFunction| {
-        let entry = |c: &Poly| Fraction::new(c.clone(), f.denom.clone()).unwrap_or_else(Fraction::zero);
-        f.bernstein.mapped(entry)
+        format!("B[{}]", index.join(","))
     };
-    let rows = form.functions.mapped(row);
-    debug_assert!(!curve || columns.first().is_some_and(|c| c == "B[0]"), "in the order of the powers");
-    Some(Table { rows, columns, degrees: form.degrees })
+    exponents(groups, degrees).mapped(name)
 }
 
 /// `3`, or `2, 3` on a box.
@@ -190,6 +202,7 @@ fn bernstein(family: &Family, work: &mut Work) -> Vec<Matrix> {
         columns: columns.to_vec(),
         entries,
         names: family.names.clone(),
+        written: None,
     };
     let title = format!("Bernstein form of degree {degree}{over}: {w}{b}[i] = Σ M[i,j]*B[j]");
     all.push(matrix(MatrixKind::ToBernstein, title, &rows, &columns, entries.clone()));
@@ -229,37 +242,71 @@ fn elevation(family: &Family, next: Option<&Family>, work: &mut Work) -> Option<
             columns,
             entries,
             names: family.names.clone(),
+            written: None,
         });
     }
-    if family.interval().is_none() || family.is_rational() {
+    if family.is_rational() {
         return None;
     }
-    // The coefficients c of degree n are (k·c[k−1] + (n + 1 − k)·c[k])/(n + 1) in degree n + 1.
-    let Table { rows, degrees, .. } = table(family, &family.functions)?;
-    let n = i64::from(*degrees.first()?);
-    let mut entries = Vec::new();
-    for row in &rows {
-        let mut raised = Vec::new();
-        for k in 0..=n + 1 {
-            let part = |k: i64, factor: i64| {
-                let value = usize::try_from(k).ok().and_then(|k| row.get(k).cloned());
-                let factor = Fraction::constant(Rational::new(factor, n + 1));
-                value.map_or_else(Fraction::zero, |value| &value * &factor)
-            };
-            raised.push(part(k - 1, k).add_within(&part(k, n + 1 - k), work)?);
-        }
-        entries.push(raised);
+    let form = PatchForm::of_functions(family, &family.functions)?;
+    let Table { mut rows, mut degrees, .. } = table(family, &family.functions)?;
+    for group in 0..degrees.len() {
+        rows = raised(&rows, &form.groups, &mut degrees, group, work)?;
     }
-    let columns = (0..=n + 1).map(|k| format!("B[{k}]")).listed();
-    let title = format!("Degree elevation, to the Bernstein form of degree {}: Q[j] = Σ M[i,j]*P[i]", n + 1);
+    let columns = bernstein_names(&form.groups, &degrees);
+    if columns.len() > MAX_COLUMNS {
+        return None;
+    }
+    let degree = degrees_text(&degrees);
+    let title = format!("Degree elevation, to the Bernstein form of degree {degree}: Q[j] = Σ M[i,j]*P[i]");
     Some(Matrix {
         kind: MatrixKind::Elevation,
         title,
         rows: labels(family),
         columns,
-        entries,
+        entries: rows,
         names: family.names.clone(),
+        written: None,
     })
+}
+
+/// Bernstein coefficients of a degree greater by one in one factor of the domain: of the degree n on a simplex those with
+/// the index e are Σ eₖ·c(e − k-th unit)/(n + 1).
+fn raised(
+    rows: &[Vec<Fraction>],
+    groups: &[Group],
+    degrees: &mut [u32],
+    group: usize,
+    work: &mut Work,
+) -> Option<Vec<Vec<Fraction>>> {
+    let before = exponents(groups, degrees);
+    degrees[group] += 1;
+    let first: usize = groups[..group].iter().map(|g| g.vars.len() + 1).sum();
+    let places = first..=first + groups[group].vars.len();
+    // For each new coefficient the old ones with their factors.
+    let sum = |e: &Vec<u32>| {
+        let part = |k: usize| {
+            let mut old = e.clone();
+            old[k] = e[k].checked_sub(1)?;
+            let factor = Rational::new(i64::from(e[k]), i64::from(degrees[group]));
+            Some((before.iter().position(|known| *known == old)?, Fraction::constant(factor)))
+        };
+        places.clone().filter_map(part).listed()
+    };
+    let sums = exponents(groups, degrees).mapped(sum);
+    let mut all = Vec::new();
+    for row in rows {
+        let mut raised = Vec::new();
+        for sum in &sums {
+            let mut value = Fraction::zero();
+            for (k, factor) in sum {
+                value = value.add_within(&row[*k].mul_within(factor, work)?, work)?;
+            }
+            raised.push(value);
+        }
+        all.push(raised);
+    }
+    Some(all)
 }
 
 /// The functions of a family in terms of those of another one on the same domain, and back.
@@ -298,7 +345,7 @@ pub fn conversions(family: &Family, other: &Family) -> Result<Vec<Matrix>, Strin
         let title = format!("{} in terms of {}: {equation}", from.title(), to.title());
         let entries = entries.into_iter().flatten().listed();
         let (rows, columns) = (rows.clone(), columns.clone());
-        all.push(Matrix { kind, title, rows, columns, entries, names: names.clone() });
+        all.push(Matrix { kind, title, rows, columns, entries, names: names.clone(), written: None });
     }
     if all.is_empty() {
         let reasons = reasons.join("; ");
@@ -449,18 +496,22 @@ fn combinations(
 }
 
 /// Mass, stiffness, moments.
-fn integrals(family: &Family, work: &mut Work) -> Vec<Matrix> {
+fn integrals(library: &Library<'_>, family: &Family, work: &mut Work) -> Vec<Matrix> {
     let mut all = Vec::new();
-    if family.is_rational() {
-        return all;
-    }
+    let is_polynomial = is_plain(family) && !family.is_rational();
+    let scope = Scope::of_family(library, 0, family);
+    let integral = |f: &Fraction, work: &mut Work| {
+        if is_polynomial { integral(family, f, work) } else { scope.over_domain_of(f, Span::call_site()) }
+    };
     let (rows, b) = (labels(family), &family.function_name);
     let values: Vec<Fraction> = family.functions.mapped(|f| f.value.clone());
-    let matrix = |kind, title, rows: Vec<String>, entries| Matrix {
+    let matrix = |kind, title, rows: Vec<String>, entries: Vec<Vec<Fraction>>| Matrix {
         kind,
         title,
         rows,
         columns: labels(family),
+        written: (!family.analytic.is_empty())
+            .then(|| entries.mapped(|row| row.mapped(|entry| reading::expanded(family, entry)))),
         entries,
         names: family.names.clone(),
     };
@@ -472,7 +523,7 @@ fn integrals(family: &Family, work: &mut Work) -> Vec<Matrix> {
                 for part in parts {
                     sum = sum.add_within(&part[i].mul_within(&part[j], work)?, work)?;
                 }
-                entries[i][j] = integral(family, &sum, work)?;
+                entries[i][j] = integral(&sum, work)?;
                 entries[j][i] = entries[i][j].clone();
             }
         }
@@ -498,7 +549,11 @@ fn integrals(family: &Family, work: &mut Work) -> Vec<Matrix> {
     // 1, t, t² on an interval, 1 and the variables elsewhere.
     let mut monomials: Vec<(String, Fraction)> = vec![(String::from("1"), Fraction::constant(Rational::ONE))];
     for p in &family.domain {
-        let value = family.analytic.angle(p.var).map_or_else(|| Fraction::var(p.var), Angle::tangent);
+        let own = |angle: &Angle| match angle.kind {
+            Kind::Linear => angle.tangent(),
+            _ => Fraction::var(angle.itself),
+        };
+        let value = family.analytic.angle(p.var).map_or_else(|| Fraction::var(p.var), own);
         let name = family.analytic.angle(p.var).map_or(&p.name, |angle| &angle.name);
         monomials.push((name.clone(), value.clone()));
         if family.domain.len() == 1 {
@@ -510,7 +565,7 @@ fn integrals(family: &Family, work: &mut Work) -> Vec<Matrix> {
         for (_, m) in &monomials {
             let mut row = Vec::new();
             for f in &values {
-                row.push(integral(family, &f.mul_within(m, work)?, work)?);
+                row.push(integral(&f.mul_within(m, work)?, work)?);
             }
             entries.push(row);
         }

@@ -3,14 +3,59 @@
 use basis_prover::collections::sort::sort;
 use proc_macro2::Span;
 
+use super::formula::print::Printer;
 use super::words::PI;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::plural::list;
 use crate::syntax::{
     self, Binding, ClaimKind, Condition, Expr, ExprKind, Factor, Generator, Loops, Relation, StatementKind,
 };
 
 /// Claims that are written twice are shown up to this number.
 const MOST: usize = 10;
+
+/// The warning about `-2 <= λ, μ <= 1` and `a, b > 0`, with which papers say that both lie there: here these are two ranges,
+/// each without one of its ends, and any real number `a`.
+fn shared_range(decls: &[syntax::ShapeDecl], place: &dyn Fn(Span) -> Place) -> Option<Diagnostic> {
+    let text = |part: &Expr| Printer { constants: &[], component: None }.print(part);
+    let named = |part: &Expr| name(part).is_some_and(|n| !PI.contains(&n));
+    let sign = |included: &[bool]| if included == [true] { "<=" } else { "<" };
+    // A range with one end: what stands before and behind a name in its place, and that name.
+    let one_end = |d: &syntax::ShapeDecl| match &d.parts[..] {
+        [low, own] if !named(low) && named(own) => {
+            Some((format!("{} {} ", text(low), sign(&d.included)), String::new(), text(own)))
+        }
+        [own, high] if named(own) && !named(high) => {
+            Some((String::new(), format!(" {} {}", sign(&d.included), text(high)), text(own)))
+        }
+        _ => None,
+    };
+    let lone = |d: &syntax::ShapeDecl| matches!(&d.parts[..], [own] if named(own));
+    let start = decls.iter().position(|d| lone(d) || one_end(d).is_some())?;
+    let run = decls[start..].iter().take_while(|d| lone(d) || one_end(d).is_some()).count();
+    let run = &decls[start..start + run];
+    let ends: Vec<_> = run.iter().filter_map(one_end).collect();
+    let low = ends.first().map(|(low, ..)| low.clone()).filter(|_| one_end(&run[0]).is_some());
+    let (low, high) = match (low, ends.last()) {
+        // `-2 <= λ, μ <= 1`
+        (Some(low), Some((_, high, _))) if ends.len() == 2 && !low.is_empty() && !high.is_empty() => {
+            (low, high.clone())
+        }
+        // `0 < a, b`, `a, b > 0`
+        (_, Some((low, high, _))) if ends.len() == 1 && run.len() > 1 => (low.clone(), high.clone()),
+        _ => return None,
+    };
+    let names: Vec<String> = run.iter().filter_map(|d| d.parts.iter().find(|p| named(p)).map(text)).collect();
+    let ranges: Vec<String> = names.iter().map(|own| format!("{low}{own}{high}")).collect();
+    let quoted: Vec<String> = names.iter().map(|own| format!("`{own}`")).collect();
+    let message = format!("{} share no range: each has the ends that stand beside it", list(&quoted));
+    let help = format!(
+        "write `{}` if all of them lie there, a statement for each of them if they do not",
+        ranges.join(", ")
+    );
+    let own = run[0].parts.iter().find(|p| named(p)).map_or_else(Span::call_site, |p| p.span);
+    Some(Diagnostic::error(place(own), message).warning().help(help))
+}
 
 /// The warnings about a family without errors.
 pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) -> Vec<Diagnostic> {
@@ -20,6 +65,7 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Shape(decls) => {
+                all.extend(shared_range(decls, place));
                 for decl in decls {
                     in_loops(&decl.loops, &mut used);
                     for part in &decl.parts {

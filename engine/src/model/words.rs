@@ -28,7 +28,7 @@ pub(crate) const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
 pub(crate) const FUNCTIONS: [&str; 8] = ["b", "B", "N", "f", "F", "phi", "φ", "M"];
 
 /// What to write for a function under a name from elsewhere; the argument stands for `…`.
-pub(crate) const OTHER_NAMES: [(&str, &str); 13] = [
+pub(crate) const OTHER_NAMES: [(&str, &str); 14] = [
     ("int", "integral(…)"),
     ("integrate", "integral(…)"),
     ("Integrate", "integral(…)"),
@@ -39,6 +39,7 @@ pub(crate) const OTHER_NAMES: [(&str, &str); 13] = [
     ("Sum", "sum(…)"),
     ("prod", "product(…)"),
     ("fact", "factorial(…)"),
+    ("pow", "x^2"),
     ("csc", "1/sin(…)"),
     ("sec", "1/cos(…)"),
     ("cot", "cos(…)/sin(…)"),

@@ -120,6 +120,23 @@ mod tests {
         assert!(verdicts[..3].iter().all(|v| matches!(v, Verdict::Proved(_))) && short.is_spent());
     }
 
+    /// Nothing is done of what ends a check; until it was seen so, one proof that was too large took the work of all claims.
+    #[test]
+    fn a_proof_that_is_too_large_to_check_takes_a_share() {
+        let spec = "theorem T {
+            curve P = Bernstein(1);
+            dimension 3;
+            prove dot(P[0], P[1])^2 <= dot(P[0], P[0])*dot(P[1], P[1]);
+            prove dot(cross(P[0], P[1]), P[0]) == 0;
+        }";
+        let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("large.basis", spec));
+        let item = &crate::theorem::theorems(&library)[0];
+        let mut run = Run::default();
+        let verdicts: Vec<_> = item.claims.iter().map(|c| run.decide(&item.subject, c)).collect();
+        assert!(run.left > UNITS / 2, "{}", run.left);
+        assert!(matches!(verdicts[1], Verdict::Proved(_)), "{verdicts:?}");
+    }
+
     #[test]
     fn easy_claims_are_decided_after_hard_ones() {
         let spec = "family F {

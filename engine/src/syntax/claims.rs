@@ -7,21 +7,9 @@ use syn::{Result, Token};
 use super::error::{error, is_missing_semicolon};
 use super::expr::{expr, loops};
 use super::tokens::{comparison, join, name, unexpected};
-use super::words::{at_word, equals, take_word, text_of};
-use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, Loops, Relation};
+use super::words::{PROPERTIES, at_word, equals, take_word, text_of};
+use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, ExprKind, Loops, Relation};
 use crate::advice::{did_you_mean, translated};
-
-/// The properties that are claimed by a word.
-const PROPERTIES: [&str; 8] = [
-    "partition_of_unity",
-    "nonnegative",
-    "symmetric",
-    "independent",
-    "continuity",
-    "smooth",
-    "totally_positive",
-    "rounding",
-];
 
 /// `prove …` or `refute …` without the final `;`.
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
@@ -91,6 +79,11 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
             return error(word.span(), message, format!("write `{text}({next})`"));
         }
         Some(near) => format!("did you mean `{near}`?"),
+        None if text == "Σ" || text == "Π" => {
+            let name = if text == "Σ" { "sum" } else { "product" };
+            let message = format!("`{text}` is not a sign of the language");
+            return error(word.span(), message, format!("write `{name}({next}[i] for i in 0..=n)`"));
+        }
         None => of_papers(&text).unwrap_or_else(properties),
     };
     error(word.span(), format!("`{text}` is not a property"), help)
@@ -317,6 +310,12 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
             && input.peek(Token![;])
         {
             let text = word.to_string();
+            if PROPERTIES.contains(&text.as_str()) && matches!(left.kind, ExprKind::Call(..)) {
+                let help = format!(
+                    "write `prove {text};` for all functions; of one function write an inequality, `b[0] >= 0`"
+                );
+                return Err(error(word.span(), format!("`{text}` takes no arguments"), help));
+            }
             if PROPERTIES.contains(&text.as_str()) {
                 return Err(error(
                     word.span(),

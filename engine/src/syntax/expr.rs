@@ -4,6 +4,7 @@
 
 use basis_prover::collections::list::Listed;
 use proc_macro2::{Delimiter, Literal, TokenTree};
+use syn::buffer::Cursor;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Result, Token};
@@ -11,6 +12,7 @@ use syn::{Ident, Result, Token};
 use super::error::{error, missing_semicolon};
 use super::glyphs::MAX_NESTING;
 use super::tokens::{comparison, join, name, number, unexpected};
+use super::words::PROPERTIES;
 use super::{Condition, Expr, ExprKind, Generator, IndexRange, Loops, Role, Sign};
 
 /// The most index variables of one `for`, and the most indices of a function.
@@ -145,6 +147,9 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         "and" | "or" => {
             "write two claims, `,` between the members of a list, `&&` or `||` between conditions"
         }
+        _ if PROPERTIES.contains(&found.as_str()) => {
+            "a property is claimed of all functions, `prove nonnegative;`; of one function write an inequality, `b[0] >= 0`"
+        }
         "is" => "write `==`, `>=`, …, or of two vectors `a parallel b`",
         "where" | "when" | "with" => {
             "ranges are declared, `scalar 0 < c;`; index variables follow after `for`"
@@ -265,6 +270,17 @@ fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
     }
 }
 
+/// Whether `/dt` follows, and then what is differentiated, without an operator.
+fn is_differential(after: Cursor<'_>) -> bool {
+    let Some((sign, after)) = after.punct() else { return false };
+    let Some((below, after)) = after.ident() else { return false };
+    let (below, behind) = (below.to_string(), after.token_tree());
+    sign.as_char() == '/'
+        && below.len() > 1
+        && below.starts_with('d')
+        && matches!(behind, Some((TokenTree::Ident(_) | TokenTree::Group(_), _)))
+}
+
 /// The number of brackets that follow the next token, `(…)` or `[…]`; no more than matter.
 fn links(input: ParseStream<'_>) -> usize {
     let Some((_, mut rest)) = input.cursor().token_tree() else { return 0 };
@@ -290,6 +306,11 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             let help = "conditions choose among the values of index variables, `for i in 0..=n if i != 1`; on parts of the domain a function is given in spans, `domain 0 <= t <= 1, 1 <= t <= 2;`";
             Err(error(span, "a formula has no cases", help))
         }
+        Some((TokenTree::Ident(word), after)) if word == "d" && is_differential(after) => Err(error(
+            span,
+            "a derivative is not written as a quotient",
+            "write `D(b[0])`, `D(b[0], λ)`, `D(b[0], 2)`",
+        )),
         Some((TokenTree::Ident(_), _)) => Ok(Expr { span, kind: ExprKind::Name(name(input)?.text) }),
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
             let content;
@@ -321,6 +342,11 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
                 last => ExprKind::List(parts.into_iter().chain(last).listed()),
             };
             Ok(Expr { span: g.span(), kind })
+        }
+        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace => {
+            let found = unexpected(input, "a number, a name or `(`").to_string();
+            input.parse::<TokenTree>()?;
+            Err(error(g.span_open(), found, "write parentheses, `(…)`, around a part of a formula"))
         }
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::None => {
             // A fragment that another macro passed on.
@@ -404,7 +430,7 @@ fn separator(content: ParseStream<'_>) -> Result<()> {
     } else if !content.is_empty() {
         let found = unexpected(content, "`,` or an operator");
         let help = if content.peek(Token![=]) || content.peek(Token![in]) {
-            "write the loop behind the expression, `sum(t^i for i in 0..=3)`"
+            "write the loop of a sum behind the expression, `sum(t^i for i in 0..=3)`, the bounds of an integral one by one, `integral(b[0], t, 0, 1)`"
         } else if content.peek(Token![if]) {
             CONDITIONS
         } else {

@@ -348,7 +348,10 @@ fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, St
     let (help, instead) = match c {
         '∥' | '‖' => ("write `a parallel b` for vectors, `dot(a, a)` for the square of a length", ""),
         '⊥' => ("write `dot(a, b) == 0`", ""),
-        '∧' => ("write `cross(a, b)` for vectors, `&&` between conditions", ""),
+        '∧' => (
+            "write `cross(a, b)` for vectors, `&&` between conditions, a statement for each of two claims",
+            "",
+        ),
         '⟨' | '⟩' => ("write `dot(a, b)`", ""),
         '√' => ("a claim about a root is one about its square", ""),
         '∈' => ("write `0 <= t <= 1` for a range, `i in 0..=n` for an index variable", ""),

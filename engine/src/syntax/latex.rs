@@ -194,6 +194,17 @@ fn factor(text: &str) -> String {
 /// What `^{…}` or `_{…}` means.
 fn script(text: &str) -> Option<Pasted> {
     let (len, inner) = braces(&text[1..])?;
+    if text.starts_with('_') && inner.contains('=') {
+        // The loop of a sum, with the upper bound behind it.
+        let bound = &text[1 + len..];
+        let upper = match bound.strip_prefix('^').map(|upper| (upper, braces(upper))) {
+            Some((_, Some((len, _)))) => 1 + len,
+            Some((upper, None)) => 1 + upper.chars().next().map_or(0, char::len_utf8),
+            None => 0,
+        };
+        let help = String::from("write the loop behind the expression, `sum(b[i] for i in 0..=n)`");
+        return Some(Pasted { len: 1 + len + upper, plain: None, message: "a loop has no braces", help });
+    }
     let inner = plain(inner)?;
     let (plain, message) = if text.starts_with('^') {
         (format!("^{}", factor(&inner)), "an exponent has no braces")

@@ -62,13 +62,12 @@ pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
                     e.place = SyntaxPlace::Bytes(range);
                 }
             }
-            // What follows from a gap in the same statement is not another error.
+            // What follows from a gap in the same statement, or is said of the word before it, is not another error.
             let follows = |e: &SyntaxError| match &e.place {
                 SyntaxPlace::Bytes(range) => readable.gaps.iter().any(|gap| {
-                    readable
-                        .text
-                        .get(*gap..range.start)
-                        .is_some_and(|between| !between.contains([';', '{', '}']))
+                    let between = readable.text.get(*gap..range.start);
+                    (range.start..=range.end).contains(gap)
+                        || between.is_some_and(|between| !between.contains([';', '{', '}']))
                 }),
                 SyntaxPlace::Token(_) => false,
             };

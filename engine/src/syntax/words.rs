@@ -11,6 +11,18 @@ use super::error::error;
 use super::tokens::{comparison, unexpected};
 use super::{Comparison, Name};
 
+/// The properties that are claimed by a word.
+pub(super) const PROPERTIES: [&str; 8] = [
+    "partition_of_unity",
+    "nonnegative",
+    "symmetric",
+    "independent",
+    "continuity",
+    "smooth",
+    "totally_positive",
+    "rounding",
+];
+
 /// Whether the next token is this word.
 pub(super) fn at_word(input: ParseStream<'_>, word: &str) -> bool {
     input.cursor().ident().is_some_and(|(ident, _)| ident == word)

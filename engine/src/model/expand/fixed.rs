@@ -87,7 +87,8 @@ pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]
             return None;
         };
         if fixed.iter().any(|(v, _)| *v == var) {
-            scope.report(scope.error(binding.name.span, format!("`{name}` is given twice")));
+            let error = scope.error(binding.name.span, format!("`{name}` is given twice"));
+            scope.report(error.help("write one block for each value"));
             return None;
         }
         let mut value = scope.scalar(&binding.value)?;
@@ -109,17 +110,19 @@ pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]
     let simplices = scope.simplices.clone();
     let fixed = simplices.iter().try_fold(fixed, |fixed, own| independent(scope, own, fixed, span))?;
     for (k, (var, value)) in fixed.iter().enumerate() {
-        if let Some((user, _)) = fixed.iter().find(|(_, value)| value.depends_on(*var)) {
+        if let Some((user, with)) = fixed.iter().find(|(_, value)| value.depends_on(*var)) {
             let name = scope.names[var.0].clone();
             let span = all.get(k).map_or(span, |(b, _)| b.name.span);
             let error = scope.error(span, format!("`{name}` is fixed and used as a value at the same time"));
             // at α = β, β = γ: the value of β is known.
             let end = value.display(&scope.names);
+            let put = with.substitute(*var, value).map(|with| with.display(&scope.names));
             let (user, own) = (&scope.names[user.0], user == var);
             scope.report(error.help(if own {
                 String::from("write a value in which it does not occur")
             } else {
-                format!("write `{user} = …` with the value of `{name}`, which is {end}")
+                let put = put.unwrap_or_else(|| String::from("…"));
+                format!("put the value of `{name}` in its place: `{user} = {put}, {name} = {end}`")
             }));
             scope.pending.truncate(pending); // that the values stay in their ranges
             return None;

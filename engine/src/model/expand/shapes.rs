@@ -19,7 +19,7 @@ use crate::model::obligation::Goal;
 use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
 use crate::syntax::{
-    self, Comparison, Expr, ExprKind, Factor, Name, Relation as Written, ShapeDecl, StatementKind,
+    self, Comparison, Expr, ExprKind, Factor, Generator, Name, Relation as Written, ShapeDecl, StatementKind,
 };
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
@@ -52,9 +52,7 @@ pub(super) fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
             if !declare(scope, decl, &statement.doc, &others, &mut shapes) {
                 complete = false;
                 // What follows from that is not another mistake.
-                let names = decl.parts.iter().filter(|part| is_named(part));
-                let names =
-                    names.filter_map(|part| Some(base(&name_of(scope, part)??.text).to_string())).listed();
+                let names = decl.parts.iter().filter_map(written_name).map(String::from);
                 scope.undeclared.borrow_mut().extend(names);
             }
         }
@@ -145,6 +143,9 @@ fn declare(
 ) -> bool {
     let depth = scope.constants.len();
     let Some(rounds) = rounds(scope, decl) else { return false };
+    if !has_index(scope, decl, &rounds) {
+        return false;
+    }
     let mut fine = true;
     for constants in rounds {
         scope.constants.extend(constants);
@@ -156,6 +157,36 @@ fn declare(
         }
     }
     fine
+}
+
+/// Whether a loop has parameters with an index to declare; if not, that is reported, and names such as `λ_1` are no
+/// other mistakes.
+fn has_index(scope: &Scope<'_>, decl: &ShapeDecl, rounds: &[Vec<(String, i64)>]) -> bool {
+    let is_indexed = |e: &Expr| matches!(e.kind, ExprKind::Index(..));
+    let Some(generator) = decl.loops.generators.first() else { return true };
+    let named = decl.parts.iter().find_map(|part| Some((written_name(part)?, part.span)));
+    let Some((name, span)) = named.filter(|_| !decl.parts.iter().any(is_indexed)) else { return true };
+    let index = match generator {
+        Generator::Range(range) => &range.name.text,
+        Generator::Simplex(names, _) => names.first().map_or("i", |name| &name.text),
+    };
+    let list = name.strip_suffix(index).map_or(name, |list| list.trim_end_matches('_'));
+    let error =
+        scope.error(span, format!("`{name}` has no index, and one declaration for all values of `{index}`"));
+    scope.report(error.help(format!("write `{list}[{index}]`")));
+    let values = rounds.iter().filter_map(|constants| constants.iter().find(|(name, _)| name == index));
+    let names = values.flat_map(|(_, k)| [format!("{list}_{k}"), format!("{list}{k}")]);
+    scope.undeclared.borrow_mut().extend(names);
+    false
+}
+
+/// The name that a part of a chain is, without its index.
+fn written_name(part: &Expr) -> Option<&str> {
+    match &part.kind {
+        ExprKind::Name(name) => Some(name),
+        ExprKind::Index(base, _) => written_name(base),
+        _ => None,
+    }
 }
 
 /// A chain with fixed values of its index variables.

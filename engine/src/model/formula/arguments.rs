@@ -102,8 +102,11 @@ impl Scope<'_> {
             self.report(error.help(format!("write `{name}({})`", names.join(", "))));
             return None;
         }
-        if self.calls.iter().any(|active| active == name) {
-            let error = self.error(span, format!("`{name}` is defined by itself"));
+        if let Some(first) = self.calls.iter().position(|active| active == name) {
+            let mut error = self.error(span, format!("`{name}` is defined by itself"));
+            if first + 1 < self.calls.len() {
+                error = error.note(format!("the circle is {} -> {name}", self.calls[first..].join(" -> ")));
+            }
             self.report(
                 error.help("a formula may use functions and names, in any order, that do not need it"),
             );
@@ -151,9 +154,12 @@ impl Scope<'_> {
             let expected = count(all, "argument");
             let error = self.error(span, format!("the functions take {expected}, {}", here(arguments.len())));
             let variables: Vec<&str> = factors.iter().flatten().map(|v| self.names[v.0].as_str()).listed();
-            self.report(
-                error.help(format!("write one for each coordinate: `(…)({})`", variables.join(", "))),
-            );
+            let function = format!("{}[…]({})", self.function_name, variables.join(", "));
+            self.report(error.help(if all == 1 {
+                format!("write `{function}`")
+            } else {
+                format!("write one for each coordinate, `{function}`")
+            }));
             return None;
         }
         let mut by = Vec::new();

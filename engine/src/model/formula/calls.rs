@@ -158,7 +158,12 @@ impl Scope<'_> {
             let wanted = count(variables, "argument");
             let message = format!("the functions of `{name}` take {wanted}, {}", here(arguments.len()));
             let error = self.error(span, message);
-            self.report(error.help(format!("write one for each coordinate: `(…)({})`", names.join(", "))));
+            let call = format!("{}[…]({})", written(&family), names.join(", "));
+            self.report(error.help(if variables == 1 {
+                format!("write `{call}`")
+            } else {
+                format!("write one for each coordinate, `{call}`")
+            }));
             return None;
         }
         let sizes = |simplices: &[Barycentric]| simplices.iter().map(|s| s.places.clone()).listed();
@@ -170,8 +175,8 @@ impl Scope<'_> {
             let error = self.error(span, format!("`{name}` is defined on {theirs}, this family on {ours}"));
             let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
             self.report(error.help(format!(
-                "give its functions arguments, such as `{}({})`, or compare with a family on the same domain",
-                if names.len() == 1 { format!("{name}[i]") } else { name.to_string() },
+                "give its functions arguments, such as `{}[…]({})`, or compare with a family on the same domain",
+                written(&family),
                 names.join(", ")
             )));
             return None;
@@ -279,4 +284,10 @@ fn kind(variables: usize, simplices: &[Barycentric]) -> String {
         _ if simplices.is_empty() => format!("a box in {variables} variables"),
         _ => format!("a product of {}", list(&factors)),
     }
+}
+
+/// A family as it is named in formulas, `Raised(4)(λ)`.
+fn written(family: &Family) -> String {
+    let shapes: Vec<&str> = family.shapes.mapped(|p| p.name.as_str());
+    if shapes.is_empty() { family.title() } else { format!("{}({})", family.title(), shapes.join(", ")) }
 }

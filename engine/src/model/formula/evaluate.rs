@@ -49,7 +49,7 @@ impl Scope<'_> {
                         error.help("write parentheses, `(…)`: square brackets make a list")
                     }
                     ExprKind::List(_) => error.help(
-                        "a function has one value, and the entries of a list cannot be lists; write a function or a name for each entry, or a family for each component",
+                        "a function has one value, and the entries of a list cannot be lists; write a function or a name for each entry, a matrix as one list, `m[3*i + j]`, or a family for each component",
                     ),
                     _ => error.help("pick one of them with an index, such as `b[0]`"),
                 });
@@ -217,14 +217,13 @@ impl Scope<'_> {
                 Some(Value::List(list))
             }
             (Value::List(x), Value::List(y)) => {
-                self.report(self.error(
-                    span,
-                    format!("lists of {} and {} functions cannot be combined", x.len(), y.len()),
-                ));
+                let message = format!("lists of {} and {} functions cannot be combined", x.len(), y.len());
+                self.report(self.error(span, message).help("write lists with as many entries"));
                 None
             }
             _ => {
-                self.report(self.error(span, "a list and a single function cannot be added"));
+                let error = self.error(span, "a list and a single function cannot be added");
+                self.report(error.help("pick one entry of the list, such as `b[0]` or `y[0]`"));
                 None
             }
         }

@@ -250,8 +250,8 @@ impl Scope<'_> {
         inside.then_some(())
     }
 
-    /// The integral over the whole domain.
-    fn over_domain_of(&self, f: &Fraction, span: Span) -> Option<Fraction> {
+    /// The integral over the whole domain; where it leaves the functions of a spec, that is reported.
+    pub(crate) fn over_domain_of(&self, f: &Fraction, span: Span) -> Option<Fraction> {
         let mut value = f.clone();
         for (var, (low, high)) in self.domain.iter().zip(&self.ends) {
             if self.simplex_of(*var).is_none() {

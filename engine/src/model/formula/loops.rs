@@ -2,7 +2,7 @@
 
 use crate::algebra::rational::Rational;
 use crate::model::budget::SPLIT;
-use crate::model::scope::Scope;
+use crate::model::scope::{Scope, Subject};
 use crate::model::tuples::multi_indices;
 use crate::syntax::{Comparison, Condition, Expr, Generator, Loops, Name};
 use basis_prover::collections::list::Listed;
@@ -55,9 +55,11 @@ impl Scope<'_> {
         let value = self.scalar(side)?;
         if value.as_constant().is_none() {
             let error = self.error(side.span, "a side of a condition must be a number");
-            self.report(error.label("this contains a variable").help(
-                "conditions choose among the values of index variables; `at λ = μ { … }` fixes shape values; on parts of the domain a function is given in spans, `domain 0 <= t <= 1, 1 <= t <= 2; b[0] = t | 2 - t;`",
-            ));
+            self.report(error.label("this contains a variable").help(if self.subject == Subject::Theorem {
+                "conditions choose among the values of index variables; `assume λ > 0;` narrows the range of a scalar"
+            } else {
+                "conditions choose among the values of index variables; `at λ = μ { … }` fixes shape values; on parts of the domain a function is given in spans, `domain 0 <= t <= 1, 1 <= t <= 2; b[0] = t | 2 - t;`"
+            }));
         }
         value.as_constant()
     }

@@ -202,9 +202,22 @@ impl<'f> Library<'f> {
             (Home::Folder, None) => {
                 let folder = from.path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
                 let folders: Vec<PathBuf> = folder.into_iter().listed();
-                source::read(self.files, path, &folders)
+                source::read(self.files, path, &folders).map_err(|e| self.perhaps_of_library(e, path))
             }
         }
+    }
+
+    /// What to write for a path that may mean a spec of the library, or lacks the end of its name.
+    fn perhaps_of_library(&self, problem: ReadError, path: &str) -> ReadError {
+        let name = path.strip_suffix(".basis").unwrap_or(path);
+        let help = if self.files.library().iter().any(|(known, _)| *known == name) {
+            Some(format!("write `use library \"{name}\";` for the spec of the library"))
+        } else if name == path {
+            Some(format!("the names of spec files end with `.basis`: `use \"{path}.basis\";`"))
+        } else {
+            None
+        };
+        ReadError { help: problem.help.or(help), ..problem }
     }
 
     fn check_doubled(&self, unit: usize) {

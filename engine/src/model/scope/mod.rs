@@ -430,7 +430,8 @@ impl Scope<'_> {
             }
             _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
             _ if glued.is_some() => glued.unwrap_or_default(),
-            _ => did_you_mean(name, &known, &|| {
+            _ if self.with_index(name).is_some() => self.with_index(name).unwrap_or_default(),
+            _ => spelled_out(name, &known).unwrap_or_else(|| did_you_mean(name, &known, &|| {
                 if self.subject == Subject::Theorem {
                     return format!(
                         "indices and orders are numbers, or index variables: `for {name} in 0..=3`"
@@ -438,7 +439,7 @@ impl Scope<'_> {
                 }
                 if self.counts {
                     format!(
-                        "write a whole number, or declare an index parameter: `family Name({name} in 1..=8)`"
+                        "write a whole number, let `{name}` run at the end of the statement, `for {name} in 0..=3`, or declare an index parameter: `family Name({name} in 1..=8)`"
                     )
                 } else if name.starts_with(|c: char| c.is_ascii_uppercase()) {
                     format!("families here are {}", crate::plural::list(&families))
@@ -447,9 +448,16 @@ impl Scope<'_> {
                         "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
                     )
                 }
-            }),
+            })),
         };
         self.report(error.help(help));
+    }
+
+    /// What to write for `λ1` where `λ[1]` is meant.
+    fn with_index(&self, name: &str) -> Option<String> {
+        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let entry = format!("{}[{}]", letters.trim_end_matches('_'), &name[letters.len()..]);
+        self.variable(&entry).map(|_| format!("write `{entry}`"))
     }
 
     /// What to write for a name such as `cosθ` or `πt`, in which a function or number and a name are one word.
@@ -563,4 +571,11 @@ impl Scope<'_> {
         scope.stage = Stage::Complete;
         scope
     }
+}
+
+/// The known name that differs only in Greek letters that are spelled out, `lambda` and `λ`.
+fn spelled_out(name: &str, known: &[&str]) -> Option<String> {
+    let ascii = crate::generate::ascii;
+    let same = known.iter().find(|known| ascii(known) == ascii(name))?;
+    Some(format!("the name is written `{same}`"))
 }
