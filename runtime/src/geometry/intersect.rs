@@ -12,6 +12,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::CurvePiece;
+use super::clipping::{self, View};
 use super::piece::{derivative, product};
 use crate::{Scalar, bernstein};
 
@@ -50,32 +51,44 @@ pub(crate) fn meetings(
     accuracy: f64,
     epsilon: f64,
 ) -> Option<Vec<Found>> {
-    let (a, b, accuracy) = scaled(a, b, accuracy, epsilon)?;
+    let (view, accuracy) = view(a, b, accuracy, epsilon)?;
     let mut search = Search::new(accuracy);
-    for first in &a {
-        for second in &b {
-            search.open.push(Pair { first: first.clone(), second: second.clone(), adjacent: false });
+    if let ([first], [second]) = (a, b) {
+        search.between(first, second, view);
+        search.run();
+        return Some(search.answers(a, b, view));
+    }
+    let boxes = [a, b].map(|pieces| pieces.iter().map(|piece| bounds(piece, view)).collect::<Vec<_>>());
+    for (first, near) in a.iter().zip(&boxes[0]) {
+        for (second, other) in b.iter().zip(&boxes[1]) {
+            if !near.iter().zip(other).any(|([a, b], [c, d])| (a - d).max(c - b) > accuracy) {
+                search.between(first, second, view);
+            }
         }
     }
     search.run();
-    Some(search.answers(&a, &b))
+    Some(search.answers(a, b, view))
 }
 
 /// All places at which a curve meets itself, the smaller parameter first, but for the one at which a closed curve ends
 /// where it begins; `None` if anything is not finite.
 #[inline]
 pub(crate) fn self_meetings(a: &[CurvePiece], accuracy: f64, epsilon: f64) -> Option<Vec<Found>> {
-    let (a, _, accuracy) = scaled(a, &[], accuracy, epsilon)?;
+    let (view, accuracy) = view(a, &[], accuracy, epsilon)?;
     let mut search = Search::new(accuracy);
-    for (k, first) in a.iter().enumerate() {
+    let seen: Vec<CurvePiece> = a.iter().map(|piece| view.of(piece)).collect();
+    for (k, first) in seen.iter().enumerate() {
         search.against_itself(first);
-        for (n, second) in a.iter().enumerate().skip(k + 1) {
-            let adjacent = n == k + 1;
-            search.open.push(Pair { first: first.clone(), second: second.clone(), adjacent });
+        for (n, second) in seen.iter().enumerate().skip(k + 1) {
+            if n == k + 1 {
+                search.open.push(Pair { first: first.clone(), second: second.clone(), adjacent: true });
+            } else {
+                search.between(&a[k], &a[n], view);
+            }
         }
     }
     search.run();
-    let mut found = search.answers(&a, &a);
+    let mut found = search.answers(a, a, view);
     let ends = [a.first()?.domain()[0], a.last()?.domain()[1]];
     let near = 1e-9 * (ends[1] - ends[0]);
     found.retain(|f| {
@@ -84,29 +97,44 @@ pub(crate) fn self_meetings(a: &[CurvePiece], accuracy: f64, epsilon: f64) -> Op
     Some(found)
 }
 
-/// Both curves about a common origin and in a common unit, and the accuracy in it.
+/// A common origin and a common unit of both curves, and the accuracy in it.
 #[inline]
-fn scaled(
-    a: &[CurvePiece],
-    b: &[CurvePiece],
+fn view<'a>(
+    a: &'a [CurvePiece],
+    b: &'a [CurvePiece],
     accuracy: f64,
     epsilon: f64,
-) -> Option<(Vec<CurvePiece>, Vec<CurvePiece>, f64)> {
+) -> Option<(View<'a>, f64)> {
     let first = a.first()?;
     if !a.iter().chain(b).all(CurvePiece::is_finite) {
         return None;
     }
-    let origin: Vec<f64> = (0..first.dimension()).map(|d| first.control(0, d)).collect();
-    let all = |unit: f64| a.iter().chain(b).map(|p| p.seen_from(&origin, unit)).collect::<Vec<_>>();
-    let size = all(1.0).iter().map(CurvePiece::largest).fold(0.0, f64::max);
+    let mut size = 0.0_f64;
+    for piece in a.iter().chain(b) {
+        for d in 0..first.dimension() {
+            let origin = first.control(0, d);
+            size = (0..=piece.degree()).fold(size, |size, i| size.max((piece.control(i, d) - origin).abs()));
+        }
+    }
     if !size.is_finite() {
         return None;
     }
     let unit = if size > 0.0 { size } else { 1.0 };
-    let mut all = all(unit);
-    let second = all.split_off(a.len());
     let accuracy = if accuracy > 0.0 { accuracy / unit } else { 0.0 };
-    Some((all, second, accuracy.max(64.0 * epsilon)))
+    Some((View { first, unit }, accuracy.max(64.0 * epsilon)))
+}
+
+/// The box of a piece as it is seen.
+#[inline]
+fn bounds(piece: &CurvePiece, view: View<'_>) -> Vec<[f64; 2]> {
+    let side = |d: usize| {
+        let origin = view.origin(d);
+        (0..=piece.degree()).fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], i| {
+            let c = (piece.control(i, d) - origin) / view.unit;
+            [lo.min(c), hi.max(c)]
+        })
+    };
+    (0..piece.dimension()).map(side).collect()
 }
 
 /// Two parts that may meet.
@@ -129,6 +157,30 @@ impl Search {
     #[inline]
     fn new(accuracy: f64) -> Self {
         Self { accuracy, open: Vec::new(), crossings: Vec::new(), near: Vec::new() }
+    }
+
+    /// Two pieces, first by clipping; what that leaves is open.
+    #[inline]
+    fn between(&mut self, first: &CurvePiece, second: &CurvePiece, view: View<'_>) {
+        let mut open = |ranges: [[f64; 2]; 2]| {
+            let part = |piece: &CurvePiece, [from, to]: [f64; 2]| view.of(piece).restricted(from, to);
+            let (first, second) = (part(first, ranges[0]), part(second, ranges[1]));
+            self.open.push(Pair { first, second, adjacent: false });
+        };
+        if !clipping::suits(first) || !clipping::suits(second) {
+            open([[0.0, 1.0]; 2]);
+            return;
+        }
+        let outcome = clipping::search(first, second, view, self.accuracy);
+        outcome.left.into_iter().for_each(open);
+        let parameters = |[x, y]: [f64; 2]| [first.parameter(x), second.parameter(y)];
+        self.crossings.extend(outcome.crossings.into_iter().map(parameters));
+        self.near.extend(
+            outcome
+                .near
+                .into_iter()
+                .map(|[x, y]| [x.map(|x| first.parameter(x)), y.map(|y| second.parameter(y))]),
+        );
     }
 
     /// Pairs of parts of one piece.
@@ -279,7 +331,7 @@ impl Search {
 
     /// The answers: crossings, and intervals that touch each other as one.
     #[inline]
-    fn answers(mut self, a: &[CurvePiece], b: &[CurvePiece]) -> Vec<Found> {
+    fn answers(mut self, a: &[CurvePiece], b: &[CurvePiece], view: View<'_>) -> Vec<Found> {
         let width = |pieces: &[CurvePiece]| match pieces {
             [first, .., last] => last.domain()[1] - first.domain()[0],
             [only] => only.domain()[1] - only.domain()[0],
@@ -316,6 +368,8 @@ impl Search {
                 found.push(Found { kind: MeetingKind::Crossing, first, second, at });
             }
         }
+        let seen = |pieces: &[CurvePiece]| pieces.iter().map(|piece| view.of(piece)).collect::<Vec<_>>();
+        let (a, b) = if groups.is_empty() { (Vec::new(), Vec::new()) } else { (seen(a), seen(b)) };
         for [first, second] in groups {
             // The rest of the neighbourhood of a crossing belongs to it.
             let next_to = |f: &&mut Found| {
@@ -332,9 +386,9 @@ impl Search {
                 }
                 continue;
             }
-            let at = approach(a, b, [0.5 * (first[0] + first[1]), 0.5 * (second[0] + second[1])]);
+            let at = approach(&a, &b, [0.5 * (first[0] + first[1]), 0.5 * (second[0] + second[1])]);
             let at = [at[0].clamp(first[0], first[1]), at[1].clamp(second[0], second[1])];
-            let ends = first.map(|t| point(a, t));
+            let ends = first.map(|t| point(&a, t));
             let square: f64 = ends[0].iter().zip(&ends[1]).map(|(a, b)| (a - b) * (a - b)).sum();
             // What two curves that touch have in common is some roots of the accuracy long.
             let long = Scalar::sqrt(square) > 20.0 * Scalar::sqrt(self.accuracy);

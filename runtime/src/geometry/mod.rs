@@ -5,7 +5,9 @@
 //! marked `#[inline]` so that they are compiled where a question is asked, and not with this crate for everybody.
 
 mod bounds;
+mod clipping;
 mod closest;
+mod coefficients;
 mod continued;
 mod convert;
 mod curves;

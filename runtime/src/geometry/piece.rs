@@ -3,6 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use super::coefficients::Coefficients;
 use crate::bernstein;
 use crate::{CurveError, Point, Scalar};
 
@@ -21,7 +22,7 @@ pub struct CurvePiece {
     len: usize,
     /// The Bernstein coefficients of each component of the numerator, one component after the other; the weights follow
     /// if there are any.
-    coefficients: Vec<f64>,
+    coefficients: Coefficients,
 }
 
 impl CurvePiece {
@@ -29,7 +30,7 @@ impl CurvePiece {
     #[inline]
     pub fn polynomial<P: Point>(domain: [P::Scalar; 2], points: &[P]) -> Self {
         let len = points.len();
-        let mut coefficients = Vec::with_capacity(len * P::DIM);
+        let mut coefficients = Coefficients::with_capacity(len * P::DIM);
         for d in 0..P::DIM {
             coefficients.extend(points.iter().map(|p| p.component(d).to_f64()));
         }
@@ -67,10 +68,11 @@ impl CurvePiece {
     pub(crate) fn of_numerators<S: Scalar>(
         domain: [S; 2],
         dim: usize,
-        mut coefficients: Vec<f64>,
+        numerators: Vec<f64>,
         weights: impl Iterator<Item = f64>,
     ) -> Self {
-        let before = coefficients.len();
+        let before = numerators.len();
+        let mut coefficients = Coefficients::from(numerators);
         coefficients.extend(weights);
         let len = coefficients.len() - before;
         // Equal weights cancel.
@@ -79,7 +81,7 @@ impl CurvePiece {
             && weights.iter().all(|&w| w == first)
         {
             coefficients.truncate(before);
-            for c in &mut coefficients {
+            for c in coefficients.iter_mut() {
                 *c /= first;
             }
         }
