@@ -3,6 +3,8 @@
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
+use crate::Array;
+
 /// A shape parameter was given a value outside its declared range, for which nothing is proved.
 ///
 /// ```
@@ -93,6 +95,14 @@ impl CountError {
     #[cold]
     pub(crate) fn new(family: &'static str, expected: usize, found: usize) -> Self {
         Self { family, expected, found }
+    }
+
+    /// The elements of a slice, one for each function of a family.
+    pub(crate) fn one_each<T: Copy, A: Array<T>>(family: &'static str, elements: &[T]) -> Result<A, Self> {
+        if elements.len() != A::LEN {
+            return Err(Self::new(family, A::LEN, elements.len()));
+        }
+        Ok(A::from_fn(|i| elements[i]))
     }
 
     /// The name of the family.

@@ -36,7 +36,7 @@
 //!
 //! | for | look at |
 //! | --- | --- |
-//! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`] |
+//! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments of one family [`PiecewiseCurve`], of different families and degrees [`Path`] |
 //! | a curve that continues another one of any type with a contact of any order | [`ParametricCurve::continued`], [`Contact`]; from a family [`Basis::curve_after`] |
 //! | lines, arcs, ellipses and Bézier segments of any degrees as one curve, SVG paths in and out | [`Path`], [`to_svg`] |
 //! | the curve beside a curve, with joins and trimmed; the outline of a stroke | [`Offset`], [`Stroke`] |
@@ -118,8 +118,8 @@
 //! # Points
 //!
 //! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam,
-//! the vectors and points of nalgebra, or a type of your own. Tangents, normals, axes and directions are vectors: of points of
-//! nalgebra, kurbo and lyon_geom the vectors of these libraries, otherwise the type itself ([`Point::Vector`]).
+//! the vectors and points of nalgebra and mint, or a type of your own. Tangents, normals, axes and directions are vectors: of points
+//! of nalgebra, mint, kurbo and lyon_geom the vectors of these libraries, otherwise the type itself ([`Point::Vector`]).
 //!
 //! # Accuracy
 //!
@@ -147,12 +147,13 @@
 //! | `elements` | yes | finite elements: rules of quadrature, [`Quadrature`], functions at many points, [`Tabulation`], nodes, and what belongs to corners, edges and faces, [`Entities`]; implies `alloc` |
 //! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `geometry` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
-//! | `glam_030` | no | those of glam 0.30 too, such as the `Vec3` of Bevy 0.17 and 0.18; both versions can be on |
+//! | `glam_030`, `glam_032`, `glam_033` | no | those of glam 0.30, 0.32 and 0.33 too, such as the `Vec3` of Bevy 0.17 and 0.18, of Bevy 0.19, of Bevy 0.20; several versions can be on |
+//! | `mint` | no | `Point2`, `Point3`, `Vector2`, `Vector3`, `Vector4` of mint 0.5 are points; most libraries convert to and from these |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points; with `std` and `bspline` also the published method of splicing |
 //! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree. `lyon_geom` implies `std` |
 //! | `gltf`, `obj`, `stl` | no | meshes are written as binary glTF, Wavefront OBJ, binary STL; imply `std` and `mesh` |
 //! | `laws` | no | checks of the laws that families keep, for families of your own: `laws` |
-//! | `serde` | no | public data can be written and read; what is read is checked as by the constructors. `serde_json` reads numbers up to the last digit only with its own feature `float_roundtrip`: without it a knot can come back changed by one unit of its last digit, and a repeated knot as two |
+//! | `serde` | no | public data can be written and read; what is read is checked as by the constructors. `serde_json` reads numbers up to the last digit only with its own feature `float_roundtrip`: without it a number of seventeen digits can come back changed by some units of its last digit. Knots come back in order all the same, repeated ones repeated |
 
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]

@@ -6,8 +6,8 @@ use crate::scalar::{FUSED_HERE, Scalar};
 
 /// A point of an affine space, as components: what control points and points of a curve are.
 ///
-/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the features `glam` and `glam_030` for the float
-/// vectors of glam, and with the feature `nalgebra` for its vectors and points. Sums of points are formed component by
+/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the features `glam`, `glam_030`, `glam_032` and `glam_033`
+/// for the float vectors of four versions of glam, and with the features `nalgebra` and `mint` for their vectors and points. Sums of points are formed component by
 /// component. Tangents, normals, axes and other directions are [`Vector`](Self::Vector)s; derivatives stand in one slice
 /// with the point, and have its type.
 ///
@@ -118,7 +118,7 @@ impl<S: Scalar, const D: usize> Point for [S; D] {
 
 /// The float vectors of one version of glam as points, with their own operators, which use the vector registers where
 /// glam does.
-#[cfg(any(feature = "glam", feature = "glam_030"))]
+#[cfg(any(feature = "glam", feature = "glam_030", feature = "glam_032", feature = "glam_033"))]
 macro_rules! glam_points {
     ($glam:ident: $($point:ident($scalar:ident: $($index:literal)+);)+) => {$(
         impl Point for $glam::$point {
@@ -176,6 +176,47 @@ macro_rules! glam_points {
 glam_points!(glam);
 #[cfg(feature = "glam_030")]
 glam_points!(glam_030);
+#[cfg(feature = "glam_032")]
+glam_points!(glam_032);
+#[cfg(feature = "glam_033")]
+glam_points!(glam_033);
+
+#[cfg(feature = "mint")]
+mod mint {
+    use mint::{Point2, Point3, Vector2, Vector3, Vector4};
+
+    use super::{Point, Scalar};
+
+    macro_rules! mint_points {
+        ($($point:ident, $vector:ident: $($component:ident $index:literal)+;)+) => {$(
+            impl<S: Scalar> Point for $point<S> {
+                type Scalar = S;
+                type Vector = $vector<S>;
+                const DIM: usize = [$($index),+].len();
+
+                #[inline]
+                fn from_components(mut component: impl FnMut(usize) -> S) -> Self {
+                    Self { $($component: component($index)),+ }
+                }
+
+                #[inline]
+                fn component(&self, index: usize) -> S {
+                    [$(self.$component),+][index]
+                }
+            }
+        )+};
+    }
+    mint_points! {
+        Point2, Vector2: x 0 y 1;
+        Point3, Vector3: x 0 y 1 z 2;
+        Vector2, Vector2: x 0 y 1;
+        Vector3, Vector3: x 0 y 1 z 2;
+        Vector4, Vector4: x 0 y 1 z 2 w 3;
+    }
+
+    impl<S: Scalar> crate::Point3 for Point3<S> {}
+    impl<S: Scalar> crate::Point3 for Vector3<S> {}
+}
 
 #[cfg(feature = "nalgebra")]
 mod nalgebra {

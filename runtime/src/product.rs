@@ -40,6 +40,14 @@ impl DomainFactor {
         }
     }
 
+    /// The degree.
+    #[cfg(feature = "laws")]
+    pub(crate) const fn degree(self) -> usize {
+        match self {
+            Self::Interval { degree } | Self::Triangle { degree } | Self::Tetrahedron { degree } => degree,
+        }
+    }
+
     /// The number of Bernstein polynomials of the degree.
     pub(crate) const fn size(self) -> usize {
         match self {
@@ -247,10 +255,7 @@ impl<B: ProductBasis, P: Point<Scalar = B::Scalar>> ProductPatch<B, P> {
     /// # Errors
     /// When the number of points is not the number of functions.
     pub fn from_slice(basis: B, points: &[P]) -> Result<Self, CountError> {
-        if points.len() != B::LEN {
-            return Err(CountError::new(B::NAME, B::LEN, points.len()));
-        }
-        Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
+        Ok(Self::new(basis, CountError::one_each(B::NAME, points)?))
     }
 
     /// The patch over the same control points with other shape values.

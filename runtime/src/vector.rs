@@ -4,8 +4,8 @@ use crate::{Point, Scalar};
 
 /// A point of three-dimensional space, where surfaces have normals.
 ///
-/// Implemented for `[S; 3]`, with the features `glam` and `glam_030` for `Vec3`, `Vec3A` and `DVec3`, and with the feature `nalgebra`
-/// for `Vector3` and `Point3`. A type of your own needs one line, and `DIM = 3`:
+/// Implemented for `[S; 3]`, with the features of glam for `Vec3`, `Vec3A` and `DVec3`, and with the features `nalgebra` and
+/// `mint` for `Vector3` and `Point3`. A type of your own needs one line, and `DIM = 3`:
 ///
 /// ```
 /// use basis_runtime::{Point, Point3};

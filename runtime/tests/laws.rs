@@ -147,3 +147,125 @@ fn a_violation_says_where() {
         "Custom breaks the law that the functions sum to 1: 0.5 instead of 1 at 3"
     );
 }
+
+#[cfg(feature = "macros")]
+mod on_domains {
+    use basis_runtime::laws::{Checks, boxes, products, simplices};
+    use basis_runtime::{BoxBasis, ProductBasis, SimplexBasis, TriangularBernsteinBasis, basis};
+
+    use super::{Law, broken};
+
+    /// The first law that is broken.
+    type Kept = Option<Law>;
+
+    basis!(library "triangles/prisms", QuadraticWedge, BernsteinPrism(2, 2) as Prism);
+    basis!("../../specs/triangular.basis", TriangularII(3));
+    basis!("../../specs/lagrange.basis", Bilinear, TetrahedralLagrange(2));
+
+    basis! {
+        family Sheet {
+            shape 0 <= λ <= 1;
+            domain -1 <= u <= 3, 0 <= v <= 1/2, 0 <= w <= 1;
+            b[0] = λ*((u + 1)/4)^2*2*v;
+            b[1] = 1 - b[0] - b[2];
+            b[2] = (1 - λ)*((3 - u)/4)*(1 - 2*v)*w;
+        }
+        /// Sums to less than 1.
+        family Short {
+            domain triangle (u, v, w);
+            b[0] = u^2;
+            b[1] = v + w;
+        }
+    }
+
+    fn of_simplex<B: SimplexBasis>(basis: B) -> [Kept; 2] {
+        let checks = Checks::default();
+        [simplices::consistent(&basis, &checks), simplices::geometric(&basis, &checks)].map(broken)
+    }
+
+    fn of_box<B: BoxBasis>(basis: B) -> [Kept; 2] {
+        let checks = Checks::default();
+        [boxes::consistent(&basis, &checks), boxes::geometric(&basis, &checks)].map(broken)
+    }
+
+    fn of_product<B: ProductBasis>(basis: B) -> [Kept; 2] {
+        let checks = Checks::default();
+        [products::consistent(&basis, &checks), products::geometric(&basis, &checks)].map(broken)
+    }
+
+    #[test]
+    fn generated_families_keep_what_they_promise() {
+        assert_eq!(of_simplex(TriangularBernsteinBasis::<f64, 4, 10>::new()), [None, None]);
+        assert_eq!(of_simplex(TriangularBernsteinBasis::<f32, 3, 6>::new()), [None, None]);
+        for (a, b) in [(0.5, 1.0), (1.5, 2.0)] {
+            assert_eq!(of_simplex(TriangularII::<f64>::new(a, b).unwrap()), [None, None]);
+            assert_eq!(of_simplex(TriangularII::<f32>::new(a as f32, b as f32).unwrap()), [None, None]);
+        }
+        for shape in [0.0, 0.25, 1.0] {
+            assert_eq!(of_box(Sheet::<f64>::new(shape).unwrap()), [None, None]);
+            assert_eq!(of_box(Sheet::<f32>::new(shape as f32).unwrap()), [None, None]);
+        }
+        assert_eq!(of_box(Bilinear::<f64>::new()), [None, None]);
+        assert_eq!(of_product(Prism::<f64>::new()), [None, None]);
+        assert_eq!(of_product(Prism::<f32>::new()), [None, None]);
+    }
+
+    #[test]
+    fn what_is_broken_is_found() {
+        // Nodal families of degree 2 are negative somewhere.
+        assert_eq!(of_simplex(TetrahedralLagrange::<f64>::new()), [None, Some(Law::Nonnegative)]);
+        assert_eq!(of_product(QuadraticWedge::<f64>::new()), [None, Some(Law::Nonnegative)]);
+        assert_eq!(of_simplex(Short::<f64>::new()), [None, Some(Law::PartitionOfUnity)]);
+        let violation = simplices::partition_of_unity(&Short::<f64>::new(), &Checks::default()).unwrap_err();
+        assert_eq!(violation.at.coordinates().len(), 3);
+        assert!(violation.to_string().starts_with("Short breaks the law that the functions sum to 1: "));
+    }
+
+    /// A wrapper that gets one of the answers wrong.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    struct Wrong<const WHAT: u8>;
+
+    impl<const WHAT: u8> BoxBasis for Wrong<WHAT> {
+        type Scalar = f64;
+        type Coordinates = [f64; 2];
+        type Orders = [usize; 2];
+        type Values = [f64; 4];
+        type Points<T: Copy> = [T; 4];
+        type Bernstein<T: Copy> = [T; 4];
+
+        const NAME: &'static str = "Wrong";
+        const DEGREES: &'static [usize] = &[1, 1];
+
+        fn domain() -> [[f64; 2]; 2] {
+            [[0.0, 0.0], [1.0, 1.0]]
+        }
+
+        fn values(&self, [u, v]: [f64; 2]) -> [f64; 4] {
+            let extra = if WHAT == 0 { 1e-6 * u * v } else { 0.0 };
+            [(1.0 - u) * (1.0 - v), (1.0 - u) * v, u * (1.0 - v), u * v + extra]
+        }
+
+        fn bernstein_weights(&self) -> [[f64; 4]; 4] {
+            core::array::from_fn(|j| core::array::from_fn(|i| f64::from(u8::from(i == j))))
+        }
+
+        fn partials(&self, at: [f64; 2], orders: [usize; 2]) -> [f64; 4] {
+            let [u, v] = at;
+            let factor = if WHAT == 1 { 1.0 + 1e-3 } else { 1.0 };
+            match orders {
+                [0, 0] => self.values(at),
+                [1, 0] => [v - 1.0, -v, 1.0 - v, v],
+                [0, 1] => [factor * (u - 1.0), 1.0 - u, -u, u],
+                [1, 1] => [1.0, -1.0, -1.0, 1.0],
+                _ => [0.0; 4],
+            }
+        }
+    }
+
+    #[test]
+    fn implementations_that_contradict_themselves() {
+        assert_eq!(of_box(Wrong::<0>)[0], Some(Law::Form));
+        assert_eq!(of_box(Wrong::<1>)[0], Some(Law::Derivatives));
+        assert_eq!(of_box(Wrong::<2>), [None, None]);
+    }
+}

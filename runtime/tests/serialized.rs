@@ -11,7 +11,7 @@ use basis_runtime::bspline::{
     KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Seam, Spacing,
     Splice, SpliceError, SpliceOptions, SplineError, splice,
 };
-use basis_runtime::laws::{Checks, Law, Violation};
+use basis_runtime::laws::{Checks, Law, Place, Violation};
 use basis_runtime::{
     Area, BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact,
     CountError, Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity,
@@ -272,6 +272,61 @@ fn joints_and_networks_of_splines() {
     again(spline().nearest([0.0; 3], 1e-9).unwrap());
 }
 
+/// Knots in JSON, read by the usual reader, which may be off by some units of the last digit, and up to the last digit, as
+/// `serde_json` does with its feature `float_roundtrip`.
+#[test]
+fn knots_survive_both_readers_of_numbers() {
+    use basis_test_support::Random;
+    let random = &mut Random::new(17);
+    let (mut changed, mut farthest) = (0, 0.0_f64);
+    for round in 0..3000 {
+        let degree = round % 4;
+        let mut knots: Vec<f64> = Vec::new();
+        let scale = 10_f64.powi(round as i32 % 17 - 8);
+        let unit = |random: &mut Random| random.below(1 << 30) as f64 / f64::from(1 << 30);
+        let mut at = scale * (2.0 * unit(random) - 1.0);
+        for _ in 0..2 * degree + 2 + random.below(8) {
+            let times = 1 + random.below(degree + 1);
+            knots.extend(std::iter::repeat_n(at, times));
+            // Also a knot next to another one.
+            at = if random.below(6) == 0 { at.next_up() } else { at + scale * unit(random) };
+        }
+        let Ok(written) = KnotVector::new(degree, knots) else { continue };
+        let text = serde_json::to_string(&written).unwrap();
+
+        let exact: Vec<f64> =
+            text.split(['[', ']']).nth(1).unwrap().split(',').map(|number| number.parse().unwrap()).collect();
+        let json = serde_json::json!({ "degree": degree, "knots": exact });
+        assert_eq!(serde_json::from_value::<KnotVector<f64>>(json).unwrap(), written);
+
+        let read: KnotVector<f64> = match serde_json::from_str(&text) {
+            Ok(read) => read,
+            // Different knots next to each other that became one, too often.
+            Err(error) => {
+                assert!(error.to_string().contains("times"), "{error}: {text}");
+                let all = written.as_slice();
+                assert!(all.windows(2).any(|pair| pair[0].next_up() == pair[1]), "{text}");
+                continue;
+            }
+        };
+        for (&a, &b) in written.as_slice().iter().zip(read.as_slice()) {
+            let off = (a - b).abs() / (f64::EPSILON * a.abs());
+            farthest = farthest.max(if a == b { 0.0 } else { off });
+            changed += usize::from(a != b);
+        }
+        // Repeated knots come back repeated, also where neighbours were exchanged.
+        let times = |knots: &KnotVector<f64>| {
+            let groups = knots.as_slice().chunk_by(|a, b| a == b);
+            let mut times: Vec<usize> = groups.map(<[f64]>::len).collect();
+            times.sort_unstable();
+            times
+        };
+        let (before, after) = (times(&written), times(&read));
+        assert!(before == after || after.len() < before.len(), "{text}");
+    }
+    assert!(farthest <= 4.0, "{changed} knots changed, one by {farthest} ε");
+}
+
 /// A message names the type that was asked for, not one of ours behind it.
 #[test]
 fn messages_name_the_type() {
@@ -302,6 +357,7 @@ fn all_else_is_shared() {
     error::<RevolutionError>();
     error::<MeshError>();
     error::<Violation>();
+    shared::<Place>();
     error::<KnotError>();
     error::<SplineError>();
     error::<FitError>();

@@ -222,10 +222,7 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
     /// # Errors
     /// When the number of points is not the number of functions.
     pub fn from_slice(basis: B, points: &[P]) -> Result<Self, CountError> {
-        if points.len() != B::LEN {
-            return Err(CountError::new(B::NAME, B::LEN, points.len()));
-        }
-        Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
+        Ok(Self::new(basis, CountError::one_each(B::NAME, points)?))
     }
 
     /// The point of the patch; at the corners of the box the Bernstein point there, exactly.

@@ -54,6 +54,18 @@ impl<S: Scalar> KnotVector<S> {
         values
     }
 
+    /// The same for `N = k + 1` functions.
+    #[inline]
+    pub(super) fn values_of<const N: usize>(&self, span: usize, t: S) -> [S; N] {
+        let mut values = [S::ZERO; N];
+        if N == 4 {
+            values.copy_from_slice(&self.cubic_values_on(span, t));
+        } else {
+            self.raise_values(span, t, N - 1, &mut values);
+        }
+        values
+    }
+
     /// The same at degree 3, the one that matters most, without loops or memory.
     #[inline]
     pub(super) fn cubic_values_on(&self, span: usize, t: S) -> [S; 4] {

@@ -61,6 +61,7 @@ mod nurbs_revolved;
 mod nurbs_surface;
 mod patch;
 mod rows;
+mod slices;
 mod splice;
 mod surface;
 

@@ -5,6 +5,7 @@ use core::ops::Range;
 
 use super::homogeneous::check_weights;
 use super::nurbs_curve::within;
+use super::slices::Lines;
 use super::{
     BSplineSurface, BezierPatch, Direction, Edge, Homogeneous, KnotError, KnotVector, Net, NurbsCurve,
     SplineError,
@@ -234,6 +235,21 @@ impl<P: Point> Surface for NurbsSurface<P> {
         let mut partials = alloc::vec![P::zero(); parts.len()];
         quotients(&parts, columns, &mut partials);
         partials[i * columns + j]
+    }
+
+    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
+        if vs.is_empty() {
+            return;
+        }
+        let [u, v] = [Direction::U, Direction::V].map(|direction| self.knots(direction));
+        let mut lines = Lines::new([u, v], self.homogeneous.net(), us, vs);
+        let mut line = alloc::vec![Homogeneous::zero(); vs.len()];
+        for (&u, out) in us.iter().zip(out.chunks_mut(vs.len())) {
+            lines.eval(u, &mut line);
+            for (out, point) in out.iter_mut().zip(&line) {
+                *out = point.project();
+            }
+        }
     }
 
     partials_by_number!();

@@ -5,6 +5,7 @@ use core::ops::Range;
 
 use super::curve::{combine, middles};
 use super::rows::{self, Rows};
+use super::slices::Lines;
 use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
 use crate::curve::{divisible, nonempty};
 #[cfg(feature = "serde")]
@@ -118,26 +119,40 @@ impl<P: Point> BSplineSurface<P> {
         if self.degrees() == [3, 3] {
             let spans = [self.u.span(u), self.v.span(v)];
             let factors = [self.u.cubic_values_on(spans[0], u), self.v.cubic_values_on(spans[1], v)];
-            let [[point]] = self.bicubic(spans, factors.map(|values| [values]));
-            return point;
+            return self.bicubic_point(spans, factors);
         }
         self.partial(u, v, [0, 0])
     }
 
-    /// The sums of the sixteen control points of a bicubic piece, each times one of the factors of its row and one of
-    /// its column.
+    /// The sum of the sixteen control points of a bicubic piece, each times the factors of its row and of its column.
+    ///
+    /// Rows first: the numbers of four points, one after the other in memory, are taken two or four at a time.
+    #[inline]
+    fn bicubic_point(&self, spans: [usize; 2], [rows, columns]: [[P::Scalar; 4]; 2]) -> P {
+        let mut line = [P::zero(); 4];
+        for (i, &factor) in rows.iter().enumerate() {
+            let &[a, b, c, d] = &self.net.row(spans[0] - 3 + i)[spans[1] - 3..=spans[1]] else { break };
+            for (sum, point) in line.iter_mut().zip([a, b, c, d]) {
+                *sum = if i == 0 { point.scale(factor) } else { sum.add_scaled(point, factor) };
+            }
+        }
+        let ([a, b, c, d], [e, f, g, h]) = (line, columns);
+        a.scale(e).add_scaled(b, f).add_scaled(c, g).add_scaled(d, h)
+    }
+
+    /// The same for several factors of each row and each column.
     #[inline]
     fn bicubic<const K: usize>(
         &self,
         spans: [usize; 2],
-        [rows, columns]: [[[P::Scalar; 4]; K]; 2],
+        [rows, columns]: [[[P::Scalar; 4]; 2]; 2],
     ) -> [[P; K]; K] {
         let mut sums = [[P::zero(); K]; K];
         for i in 0..4 {
             let &[a, b, c, d] = &self.net.row(spans[0] - 3 + i)[spans[1] - 3..=spans[1]] else { return sums };
             let line: [P; K] = core::array::from_fn(|k| {
                 let [e, f, g, h] = columns[k];
-                P::zero().add_scaled(a, e).add_scaled(b, f).add_scaled(c, g).add_scaled(d, h)
+                a.scale(e).add_scaled(b, f).add_scaled(c, g).add_scaled(d, h)
             });
             for (sums, factors) in sums.iter_mut().zip(&rows) {
                 for (sum, &point) in sums.iter_mut().zip(&line) {
@@ -392,6 +407,7 @@ impl<P: Point> Surface for BSplineSurface<P> {
         self.domain()
     }
 
+    #[inline]
     fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
         self.eval(u, v)
     }
@@ -401,29 +417,15 @@ impl<P: Point> Surface for BSplineSurface<P> {
         self.partial(u, v, orders)
     }
 
-    /// The curve `v ↦ S(u, v)` is found once for each `u`.
+    /// The curve `v ↦ S(u, v)` is found once for each `u`; where the `u` are dense and in order, the curves over the rows of the
+    /// net once for all of them.
     fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
         if vs.is_empty() {
             return;
         }
-        let values = |&v: &P::Scalar| {
-            let span = self.v.span(v);
-            (span - self.v.degree(), self.v.values_on(span, v))
-        };
-        let columns: Vec<_> = vs.iter().map(values).collect();
-        let mut curve = alloc::vec![P::zero(); self.net.columns()];
+        let mut lines = Lines::new([&self.u, &self.v], &self.net, us, vs);
         for (&u, line) in us.iter().zip(out.chunks_mut(vs.len())) {
-            let span = self.u.span(u);
-            let first = span - self.u.degree();
-            curve.fill(P::zero());
-            for (i, &factor) in self.u.values_on(span, u).iter().enumerate() {
-                for (sum, &point) in curve.iter_mut().zip(self.net.row(first + i)) {
-                    *sum = sum.add_scaled(point, factor);
-                }
-            }
-            for (point, (first, values)) in line.iter_mut().zip(&columns) {
-                *point = combine(values, &curve[*first..]);
-            }
+            lines.eval(u, line);
         }
     }
 
@@ -431,10 +433,12 @@ impl<P: Point> Surface for BSplineSurface<P> {
 
     /// The functions and their derivatives once for all partial derivatives.
     fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+        if K == 1 {
+            return [[self.eval(u, v); K]; K];
+        }
         let spans = [self.u.span(u), self.v.span(v)];
         if K <= 2 && self.degrees() == [3, 3] {
-            let both = [self.u.cubic_on(spans[0], u), self.v.cubic_on(spans[1], v)];
-            return self.bicubic(spans, both.map(|orders| core::array::from_fn(|k| orders[k])));
+            return self.bicubic(spans, [self.u.cubic_on(spans[0], u), self.v.cubic_on(spans[1], v)]);
         }
         let first = [spans[0] - self.u.degree(), spans[1] - self.v.degree()];
         let rows: [_; K] = core::array::from_fn(|order| self.u.derivatives_on(spans[0], u, order));

@@ -108,7 +108,7 @@ impl<P: Point, A: Copy + AsRef<[P]>, const SKIP: usize> Kernel for CentredPoints
 }
 
 #[inline(always)]
-fn horner<const FUSED: bool, P: Point>(last: P, rest: &[P], y: P::Scalar, d: usize) -> P::Scalar {
+pub(crate) fn horner<const FUSED: bool, P: Point>(last: P, rest: &[P], y: P::Scalar, d: usize) -> P::Scalar {
     rest.iter().rev().fold(last.component(d), |sum, c| sum.fma::<FUSED>(y, c.component(d)))
 }
 

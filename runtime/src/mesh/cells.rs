@@ -8,6 +8,7 @@ use super::MeshError;
 use super::facets::{Cell, Cut, Node, middle, triangles};
 use super::flat::{self, Flatness, P3, Part};
 use super::graph::{self, Corner};
+use super::index::Index;
 use super::limits::Limits;
 use super::lines::{Lines, WIDTH};
 use super::patch::Patch;
@@ -19,7 +20,7 @@ use crate::{Edge, Scalar, SurfacePiece};
 const MOST: usize = 1 << 21;
 
 /// The number of rectangles that are judged before it is estimated how many there will be.
-const MANY: usize = 1 << 13;
+const MANY: usize = 1 << 15;
 
 /// The number of rectangles that are cut for the estimate.
 const CUTS: usize = 1 << 11;
@@ -89,9 +90,10 @@ pub(super) struct Leaf {
     corners: usize,
 }
 
-/// A rectangle that is not judged yet, with the parts of the surface over it.
+/// A rectangle that is not judged yet, with the parts of the surface over it and the points at its corners.
 struct Open {
     cell: Cell,
+    corners: [P3; 4],
     parts: Vec<Part>,
 }
 
@@ -169,7 +171,7 @@ impl<'a, S: Scalar> Sheet<'a, S> {
                 [parts, _] = flat::cut(&self.pieces, parts, axis, ranges[axis][1]);
             }
         }
-        Open { cell, parts }
+        Open { cell, corners: cell.corners().map(|node| self.point(node)), parts }
     }
 
     fn parameter(&self, axis: usize, along: u32) -> f64 {
@@ -180,11 +182,23 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         let along = self.lines[axis].between(open.cell.from[axis], open.cell.to[axis]);
         let [before, after] = open.cell.cut(axis, along);
         let [low, high] = flat::cut(&self.pieces, open.parts, axis, self.parameter(axis, along));
-        [Open { cell: before, parts: low }, Open { cell: after, parts: high }]
+        let [a, b, c, d] = open.corners;
+        let new = |index: usize| self.point(before.corners()[index]);
+        let (corners_before, corners_after) = if axis == 0 {
+            let (from, to) = (new(1), new(2));
+            ([a, from, to, d], [from, b, c, to])
+        } else {
+            let (from, to) = (new(3), new(2));
+            ([a, b, to, from], [from, to, c, d])
+        };
+        [
+            Open { cell: before, corners: corners_before, parts: low },
+            Open { cell: after, corners: corners_after, parts: high },
+        ]
     }
 
     fn flatness(&self, open: &Open) -> Flatness {
-        let corners = open.cell.corners().map(|node| self.point(node));
+        let corners = open.corners;
         let Cell { from, to } = open.cell;
         let halves = |n: [u32; 2]| {
             let at = [0, 1].map(|c| {
@@ -396,6 +410,8 @@ pub(super) struct Cells {
     on_u: BTreeMap<u32, BTreeSet<u32>>,
     /// For each line `v = const` the `u` of the corners on it.
     on_v: BTreeMap<u32, BTreeSet<u32>>,
+    /// The corners of rectangles.
+    index: Index,
     /// The number of rectangles, the first ones, that [`Cells::refine`] has looked at.
     seen: usize,
     /// The corners that have been added since then, as `[u, v]` and as `[v, u]`.
@@ -490,14 +506,17 @@ impl Cells {
     fn add(&mut self, leaf: Leaf) {
         let cell = leaf.cell;
         self.leaves.push(leaf);
-        for u in [cell.from[0], cell.to[0]] {
-            for v in [cell.from[1], cell.to[1]] {
-                if self.on_u.entry(u).or_default().insert(v) {
-                    self.fresh[0].push([u, v]);
-                }
-                if self.on_v.entry(v).or_default().insert(u) {
-                    self.fresh[1].push([v, u]);
-                }
+        for node @ [u, v] in cell.corners() {
+            // Most corners are those of neighbours too.
+            if self.index.get(node).is_some() {
+                continue;
+            }
+            self.index.insert(node, 0);
+            if self.on_u.entry(u).or_default().insert(v) {
+                self.fresh[0].push([u, v]);
+            }
+            if self.on_v.entry(v).or_default().insert(u) {
+                self.fresh[1].push([v, u]);
             }
         }
     }

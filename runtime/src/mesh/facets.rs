@@ -1,7 +1,5 @@
 //! The triangles over one rectangle of parameters.
 
-use alloc::vec::Vec;
-
 /// A point of the parameter square.
 pub(super) type Node = [u32; 2];
 
@@ -38,9 +36,9 @@ pub(super) fn triangles(
     mut emit: impl FnMut([Node; 3]),
 ) {
     let fan = |apex: usize, emit: &mut dyn FnMut([Node; 3])| {
-        let rest: Vec<Node> = nodes[apex + 1..].iter().chain(&nodes[..apex]).copied().collect();
-        for pair in rest.windows(2) {
-            emit([nodes[apex], pair[0], pair[1]]);
+        let count = nodes.len();
+        for k in apex + 1..apex + count - 1 {
+            emit([nodes[apex], nodes[k % count], nodes[(k + 1) % count]]);
         }
     };
     match (nodes.len(), cut) {

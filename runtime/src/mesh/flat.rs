@@ -64,6 +64,40 @@ impl Part {
         })
     }
 
+    /// Takes the control points of its halves in both directions into account, where it bends.
+    fn see_quarters(&self, target: &Target, farthest: &mut Farthest) {
+        let (net, degrees) = (self.net.numbers(), self.net.degrees());
+        // Four nets of bicubic rational patches have room without memory of their own.
+        let (mut few, mut many) = ([0.0; 256], Vec::new());
+        let all = if 4 * net.len() <= few.len() {
+            &mut few[..4 * net.len()]
+        } else {
+            many.resize(4 * net.len(), 0.0);
+            &mut many[..]
+        };
+        all[..net.len()].copy_from_slice(net);
+        let mut spans = [self.span; 4];
+        let mut count = 1;
+        for axis in [0, 1] {
+            if degrees[axis] < 2 {
+                continue;
+            }
+            let (upper, lower) = all.split_at_mut(count * net.len());
+            let nets = upper.chunks_exact_mut(net.len()).zip(lower.chunks_exact_mut(net.len()));
+            for (k, (upper, lower)) in nets.enumerate() {
+                self.net.divide(upper, lower, axis, 0.5);
+                let [lo, hi] = self.span[axis];
+                let middle = 0.5 * (lo + hi);
+                spans[count + k] = spans[k];
+                (spans[k][axis], spans[count + k][axis]) = ([middle, hi], [lo, middle]);
+            }
+            count *= 2;
+        }
+        for (net, span) in all.chunks_exact(net.len()).zip(spans).take(count) {
+            farthest.see(target, span, degrees, net);
+        }
+    }
+
     /// A control point; NaN if its weight is not positive.
     fn point(&self, i: usize, j: usize) -> P3 {
         let weight = self.net.weight(j * (self.net.degrees()[0] + 1) + i);
@@ -148,12 +182,20 @@ pub(super) fn sampled(corners: [P3; 4], at: impl Fn([u32; 2]) -> P3) -> Flatness
 /// parameters. Sides whose ends are nearer than `weld` count as points, if the curves along them are.
 pub(super) fn measure(parts: &[Part], corners: [P3; 4], tolerance: f64, weld: f64) -> Flatness {
     let skewness = skewness(corners);
-    let mut found = estimate(parts, corners, weld);
+    let target = Target::new(parts, corners, weld);
+    let mut found = Farthest::default();
+    for part in parts {
+        found.see(&target, part.span, part.net.degrees(), part.net.numbers());
+    }
+    let mut found = found.flatness();
     found.distance += skewness;
     // The hull of the control points of halves is much nearer to the surface.
     if found.distance > tolerance && skewness < tolerance && found.distance <= 4.0 * tolerance {
-        let halves: Vec<Part> = parts.iter().flat_map(quarters).collect();
-        found.distance = found.distance.min(estimate(&halves, corners, weld).distance + skewness);
+        let mut halves = Farthest::default();
+        for part in parts {
+            part.see_quarters(&target, &mut halves);
+        }
+        found.distance = found.distance.min(halves.flatness().distance + skewness);
     }
     if found.distance > tolerance {
         for part in parts {
@@ -186,56 +228,105 @@ pub(super) fn quarters(part: &Part) -> Vec<Part> {
     if bends_along_v { all.iter().flat_map(|part| part.halves(1)).collect() } else { all }
 }
 
-fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
-    let mut bends = [0.0_f64; 2];
-    let mut farthest = 0.0_f64;
-    let [mut low, mut high] = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-    for part in parts {
-        for axis in [0, 1] {
-            low[axis] = low[axis].min(part.span[axis][0]);
-            high[axis] = high[axis].max(part.span[axis][1]);
+/// Two triangles, with what their distances from control points ask for.
+struct Target {
+    triangles: Triangles,
+    /// The sides of the rectangle: along `u` at both ends of `v`, along `v` at both ends of `u`.
+    sides: [Segment; 4],
+    /// The ranges of both parameters.
+    ranges: [[f64; 2]; 2],
+    /// The square of the length of what counts as a point.
+    weld: f64,
+}
+
+impl Target {
+    fn new(parts: &[Part], corners: [P3; 4], weld: f64) -> Self {
+        let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+        for part in parts {
+            for (range, [lo, hi]) in ranges.iter_mut().zip(part.span) {
+                *range = [range[0].min(lo), range[1].max(hi)];
+            }
         }
+        let [a, b, c, d] = corners;
+        let sides = [[a, b], [d, c], [a, d], [b, c]].map(|[from, to]| Segment::new(from, to));
+        Self { triangles: Triangles::new(corners), sides, ranges, weld: weld * weld }
     }
-    let [a, b, c, d] = corners;
-    let triangles = Triangles::new(corners);
-    for part in parts {
-        let [m, n] = part.net.degrees();
-        // The sides of the rectangle on which the part lies: along u at both ends of v, along v at both ends of u.
-        let on_side = [
-            part.span[1][0] <= low[1],
-            part.span[1][1] >= high[1],
-            part.span[0][0] <= low[0],
-            part.span[0][1] >= high[0],
-        ];
-        let sides = [[a, b], [d, c], [a, d], [b, c]];
-        for j in 0..=n {
-            for i in 0..=m {
-                let p = part.point(i, j);
-                let is_on = [j == 0, j == n, i == 0, i == m];
-                let mut is_inside = true;
-                for side in 0..4 {
-                    if on_side[side] && is_on[side] {
-                        // The side belongs to the triangles, so that these are no farther away.
-                        is_inside = false;
-                        let [from, to] = sides[side];
-                        let away = distance_to_segment(p, from, to);
-                        farthest = larger(farthest, away);
-                        let axis = side / 2;
-                        bends[axis] = larger(bends[axis], away);
-                        // A curve that comes back to where it began is no point.
-                        if distance(from, to) <= weld && away > weld {
-                            bends[axis] = f64::INFINITY;
-                            farthest = f64::INFINITY;
-                        }
-                    }
-                }
-                if is_inside {
-                    farthest = larger(farthest, triangles.distance(p));
-                }
+}
+
+/// The squares of the largest distances of control points.
+#[derive(Default)]
+struct Farthest {
+    bends: [f64; 2],
+    distance: f64,
+}
+
+impl Farthest {
+    fn flatness(self) -> Flatness {
+        let root = crate::Scalar::sqrt;
+        Flatness { bends: self.bends.map(root), distance: root(self.distance) }
+    }
+
+    /// Takes the control points of a part over a rectangle into account.
+    fn see(&mut self, target: &Target, span: [[f64; 2]; 2], [m, n]: [usize; 2], net: &[f64]) {
+        // The sides of the rectangle on which the part lies.
+        let [u, v] = [0, 1].map(|axis| {
+            let ([lo, hi], [low, high]) = (span[axis], target.ranges[axis]);
+            [lo <= low, hi >= high]
+        });
+        let stride = net.len() / ((m + 1) * (n + 1));
+        for (k, numbers) in net.chunks_exact(stride).enumerate() {
+            let (i, j) = (k % (m + 1), k / (m + 1));
+            let p = control_point(numbers);
+            let on_sides = [v[0] && j == 0, v[1] && j == n, u[0] && i == 0, u[1] && i == m];
+            if on_sides == [false; 4] {
+                self.distance = larger(self.distance, target.triangles.square(p));
+                continue;
+            }
+            // The side belongs to the triangles, so that these are no farther away.
+            for (index, side) in target.sides.iter().enumerate().filter(|&(index, _)| on_sides[index]) {
+                let away = side.square(p);
+                // A curve that comes back to where it began is no point.
+                let is_loop = side.length <= target.weld && away > target.weld;
+                let away = if is_loop { f64::INFINITY } else { away };
+                self.distance = larger(self.distance, away);
+                self.bends[index / 2] = larger(self.bends[index / 2], away);
             }
         }
     }
-    Flatness { bends, distance: farthest }
+}
+
+/// A control point from its numbers; NaN if its weight is not positive.
+fn control_point(numbers: &[f64]) -> P3 {
+    match *numbers {
+        [x, y, z] => [x, y, z],
+        [x, y, z, weight] if weight > 0.0 => [x / weight, y / weight, z / weight],
+        _ => [f64::NAN; 3],
+    }
+}
+
+/// A segment, and the squares of distances from it.
+#[derive(Clone, Copy)]
+struct Segment {
+    from: P3,
+    chord: P3,
+    /// The square of its length.
+    length: f64,
+}
+
+impl Segment {
+    fn new(from: P3, to: P3) -> Self {
+        let chord = minus(to, from);
+        Self { from, chord, length: dot(chord, chord) }
+    }
+
+    fn square(&self, p: P3) -> f64 {
+        let arm = minus(p, self.from);
+        let x = dot(arm, self.chord) / self.length;
+        // Also where the chord has no length.
+        let x = if x <= 0.0 || x.is_nan() { 0.0 } else { x.min(1.0) };
+        let away = [0, 1, 2].map(|k| arm[k] - x * self.chord[k]);
+        dot(away, away)
+    }
 }
 
 /// How far four corners are from a flat, convex quadrilateral with them as corners: the distance of the diagonals where
@@ -336,6 +427,11 @@ impl Triangles {
     }
 
     fn distance(&self, p: P3) -> f64 {
+        crate::Scalar::sqrt(self.square(p))
+    }
+
+    /// The square of the distance.
+    fn square(&self, p: P3) -> f64 {
         let [a, b, c, d] = self.corners;
         match self.planes.each_ref().map(|plane| plane.as_ref().and_then(|plane| plane.height(p))) {
             [Some(x), Some(y)] => x.min(y),
@@ -344,7 +440,7 @@ impl Triangles {
             [None, None] => {
                 let sides = [[a, b], [b, c], [c, d], [d, a], [a, c]];
                 sides
-                    .map(|[from, to]| distance_to_segment(p, from, to))
+                    .map(|[from, to]| Segment::new(from, to).square(p))
                     .into_iter()
                     .fold(f64::INFINITY, f64::min)
             }
@@ -376,12 +472,15 @@ impl Plane {
         Some(Self { from: a, sides: [ab, ac], shares })
     }
 
-    /// The distance of a point, if its foot is inside of the triangle.
+    /// The square of the distance of a point, if its foot is inside of the triangle.
     fn height(&self, p: P3) -> Option<f64> {
         let (ap, [ab, ac]) = (minus(p, self.from), self.sides);
         let [x, y] = self.shares.map(|share| dot(share, ap));
         let is_inside = x >= 0.0 && y >= 0.0 && x + y <= 1.0;
-        is_inside.then(|| distance(ap, [0, 1, 2].map(|k| x * ab[k] + y * ac[k])))
+        is_inside.then(|| {
+            let away = [0, 1, 2].map(|k| ap[k] - (x * ab[k] + y * ac[k]));
+            dot(away, away)
+        })
     }
 }
 

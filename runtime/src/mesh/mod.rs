@@ -7,6 +7,7 @@ mod flat;
 #[cfg(feature = "gltf")]
 mod gltf;
 mod graph;
+mod index;
 mod limits;
 mod lines;
 mod meet;

@@ -7,6 +7,7 @@ use alloc::vec::Vec;
 use super::cells::{Cells, Leaf, Sheet, is_crowded, on_edge, unit};
 use super::facets::Node;
 use super::facets::{Cut, triangles};
+use super::index::Index;
 use super::limits::Limits;
 use super::lines::WIDTH;
 use super::meet::meet;
@@ -246,13 +247,14 @@ fn share_parameters(cells: &mut [Cells], seams: &[Seam]) {
 struct Builder<S> {
     points: Vec<[S; 3]>,
     vertices: Vec<Vertex<S>>,
-    index: BTreeMap<(usize, Node), u32>,
+    /// The vertices of each surface.
+    index: Vec<Index>,
     triangles: Vec<[u32; 3]>,
 }
 
 impl<S> Default for Builder<S> {
     fn default() -> Self {
-        Self { points: Vec::new(), vertices: Vec::new(), index: BTreeMap::new(), triangles: Vec::new() }
+        Self { points: Vec::new(), vertices: Vec::new(), index: Vec::new(), triangles: Vec::new() }
     }
 }
 
@@ -265,10 +267,14 @@ impl<S: Scalar> Builder<S> {
         reach: S,
     ) -> Result<(), MeshError> {
         let mut finite = true;
+        let (mut known, mut corners): (Vec<u32>, Vec<[S; 3]>) = (Vec::new(), Vec::new());
+        self.index.resize_with(surface + 1, Index::default);
         for &Leaf { cell, .. } in &cells.leaves {
             let nodes = cells.around(cell);
-            let known: Vec<u32> = nodes.iter().map(|&node| self.vertex(surface, patch, node)).collect();
-            let corners: Vec<[S; 3]> = known.iter().map(|&vertex| self.points[vertex as usize]).collect();
+            known.clear();
+            known.extend(nodes.iter().map(|&node| self.vertex(surface, patch, node)));
+            corners.clear();
+            corners.extend(known.iter().map(|&vertex| self.points[vertex as usize]));
             let cut = if is_crowded(&corners, reach) { Cut::Middle } else { Cut::Shortest };
             let shorter = || distance(corners[0], corners[2]) <= distance(corners[1], corners[3]);
             triangles(cell, &nodes, cut, shorter, |triangle| {
@@ -284,19 +290,24 @@ impl<S: Scalar> Builder<S> {
     }
 
     fn vertex(&mut self, surface: usize, patch: &dyn Patch<S>, node: Node) -> u32 {
-        let Self { points, vertices, index, .. } = self;
-        *index.entry((surface, node)).or_insert_with(|| {
-            let uv = node.map(unit);
-            let vertex = vertices.len() as u32;
-            points.push(patch.point(uv));
-            let normal = patch.normal(uv).unwrap_or([S::ZERO; 3]);
-            vertices.push(Vertex { position: vertex, normal, uv, surface: surface as u32 });
-            vertex
-        })
+        if let Some(vertex) = self.index[surface].get(node) {
+            return vertex;
+        }
+        let uv = node.map(unit);
+        let vertex = self.vertices.len() as u32;
+        self.points.push(patch.point(uv));
+        let normal = patch.normal(uv).unwrap_or([S::ZERO; 3]);
+        self.vertices.push(Vertex { position: vertex, normal, uv, surface: surface as u32 });
+        self.index[surface].insert(node, vertex);
+        vertex
+    }
+
+    fn known(&self, (surface, node): (usize, Node)) -> Option<u32> {
+        self.index.get(surface)?.get(node)
     }
 
     fn join(&self, classes: &mut Classes<S>, a: (usize, Node), b: (usize, Node)) {
-        if let (Some(&a), Some(&b)) = (self.index.get(&a), self.index.get(&b)) {
+        if let (Some(a), Some(b)) = (self.known(a), self.known(b)) {
             classes.join(&self.points, a as usize, b as usize);
         }
     }
@@ -309,7 +320,7 @@ impl<S: Scalar> Builder<S> {
                     .into_iter()
                     .flat_map(move |edge| [0, WIDTH].map(move |along| (surface, on_edge(edge, along))))
             })
-            .filter_map(|key| self.index.get(&key).map(|&v| v as usize))
+            .filter_map(|key| self.known(key).map(|v| v as usize))
             .collect();
         corners.sort_by(|&a, &b| {
             self.points[a][0].partial_cmp(&self.points[b][0]).unwrap_or(core::cmp::Ordering::Equal)

@@ -49,10 +49,7 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
     /// # Errors
     /// If the number of points is not the number of functions.
     pub fn from_slice(basis: B, points: &[P]) -> Result<Self, CountError> {
-        if points.len() != B::LEN {
-            return Err(CountError::new(B::NAME, B::LEN, points.len()));
-        }
-        Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
+        Ok(Self::new(basis, CountError::one_each(B::NAME, points)?))
     }
 
     /// The curve over the same control points with other shape values.

@@ -20,9 +20,23 @@ pub(crate) struct Knots<S> {
 impl<S: Scalar> TryFrom<Knots<S>> for KnotVector<S> {
     type Error = KnotError;
 
-    fn try_from(read: Knots<S>) -> Result<Self, KnotError> {
+    /// Readers that are quick with decimal numbers are off by some units of the last digit, and exchange neighbours that are
+    /// as near to each other as that; these are put in order. Equal knots are written, and so read, alike.
+    fn try_from(mut read: Knots<S>) -> Result<Self, KnotError> {
+        for index in 1..read.knots.len() {
+            let mut place = index;
+            while place > 0 && exchanged(read.knots[place - 1], read.knots[place]) {
+                read.knots.swap(place - 1, place);
+                place -= 1;
+            }
+        }
         Self::new(read.degree, read.knots)
     }
+}
+
+/// Whether a knot is smaller than the one before it by no more than a few units of the last digit.
+fn exchanged<S: Scalar>(before: S, after: S) -> bool {
+    after < before && before - after <= S::of(8.0) * S::EPSILON * before.abs().max(after.abs())
 }
 
 #[derive(Deserialize)]

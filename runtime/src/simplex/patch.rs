@@ -93,10 +93,7 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// # Errors
     /// When the number of points is not the number of functions.
     pub fn from_slice(basis: B, points: &[P]) -> Result<Self, CountError> {
-        if points.len() != B::LEN {
-            return Err(CountError::new(B::NAME, B::LEN, points.len()));
-        }
-        Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
+        Ok(Self::new(basis, CountError::one_each(B::NAME, points)?))
     }
 
     /// The derivative of the given order along a direction, a difference of two points in barycentric coordinates; zero

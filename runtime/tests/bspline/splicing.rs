@@ -4,6 +4,7 @@ use basis_runtime::bspline::{
     BSplineSurface, Continuity, Direction, Edge, EdgePair, KnotVector, Method, Net, SpliceError,
     SpliceOptions, measure_joint, splice,
 };
+use basis_runtime::edge_continuity;
 use proptest::prelude::*;
 
 #[cfg(feature = "nalgebra")]
@@ -432,4 +433,54 @@ proptest! {
             }
         }
     }
+}
+
+/// Normal curvatures agree across all edges in both directions, whatever degrees and knots; tangent planes alone leave them
+/// apart.
+#[test]
+fn curvatures_are_continuous() {
+    let options = SpliceOptions::default();
+    for (k, l) in [(1, 3), (2, 4), (3, 3), (3, 1), (4, 2), (5, 3)] {
+        let left = sheet(k, 3, -1.0, [1.0, -0.5, 4.0, 1.0]);
+        let right = sheet(l, 5, 0.0, [0.8, 0.6, 4.2, -0.4]);
+        for (n, edge) in Edge::ALL.into_iter().enumerate() {
+            for flips in 0..4 {
+                let target = Edge::ALL[(n + flips) % 4];
+                let a = turned(&left, Edge::UEnd, edge, flips % 2 == 1);
+                let b = turned(&right, Edge::UStart, target, flips >= 2);
+                let joint = EdgePair::nearest(&a, edge, &b, target);
+                let curvature = |continuity| {
+                    let found = splice(&a, &b, joint, &options.continuity(continuity)).unwrap();
+                    let opposite = edge.opposite();
+                    for t in [0.0, 0.3, 1.0] {
+                        let [p, q] = [&a, &found.surface].map(|surface| at_edge(surface, opposite, t, 1.0));
+                        assert!(distance(p.0, q.0) < 1e-13 && distance(p.1, q.1) < 1e-11);
+                    }
+                    let measured = edge_continuity(&found.surface, &b, joint, 129);
+                    assert!(measured.gap < 1e-13 && measured.angle < 1e-12, "{measured:?}");
+                    (measured.curvature, found.change)
+                };
+                let ((apart, _), (found, change)) = (curvature(Continuity::G1), curvature(Continuity::G2));
+                assert!(found < 1e-9, "{found} at degrees {k}, {l}, {joint:?}");
+                assert!(apart > 1e-2 && change > 0.0, "{apart}");
+            }
+        }
+    }
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+    let sheets = [-1.0, 0.0].map(|from| sheet(3, 2, from, [0.0; 4]));
+    let options = options.continuity(Continuity::G2).method(Method::LeastSquares);
+    let refused = splice(&sheets[0], &sheets[1], joint, &options).unwrap_err();
+    assert_eq!(refused, SpliceError::Curvatures);
+}
+
+/// No point moves further than the splice says, also where the third row moves most.
+#[test]
+fn the_change_counts_all_rows() {
+    let a = sheet(3, 4, -1.0, [1.0, -0.5, 4.0, 1.0]);
+    let b = sheet(3, 5, 0.0, [0.8, 0.6, 9.2, -6.4]);
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+    let found = splice(&a, &b, joint, &SpliceOptions::default().continuity(Continuity::G2)).unwrap();
+    let places = || (0..=40).flat_map(|i| (0..=40).map(move |j| [i, j].map(|x| f64::from(x) / 40.0)));
+    let moved = places().map(|[u, v]| distance(a.eval(u, v), found.surface.eval(u, v))).fold(0.0, f64::max);
+    assert!(moved > 0.1 && moved <= found.change * (1.0 + 1e-9), "{moved}, {}", found.change);
 }

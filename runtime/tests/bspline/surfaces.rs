@@ -1,6 +1,6 @@
 //! Surfaces: both directions, edges, grids, normals.
 
-use basis_runtime::bspline::{BSplineSurface, Direction, Edge, KnotVector, Net, SplineError};
+use basis_runtime::bspline::{BSplineSurface, Direction, Edge, KnotVector, Net, NurbsSurface, SplineError};
 use basis_runtime::{Surface, Tessellation};
 use proptest::prelude::*;
 
@@ -95,6 +95,41 @@ proptest! {
                 prop_assert!(distance(grid[i * vs.len() + j], surface.eval(u, v)) < ROUNDING);
                 prop_assert!(distance(surface.isocurve(Direction::V, v).eval(u), grid[i * vs.len() + j]) < ROUNDING);
                 prop_assert_eq!(surface.eval_with_partials::<1>(u, v)[0][0], surface.eval(u, v));
+            }
+        }
+    }
+
+    /// Many parameters at once, in order and not, few and many of them in a span: the points of `eval`.
+    #[test]
+    fn dense_grids_and_slices(surface in surface(), seed in 0..1000_usize) {
+        let dense = |count: usize| (0..count).map(|k| k as f64 / (count - 1) as f64).collect::<Vec<f64>>();
+        let (us, mut vs) = (dense(60), dense(120));
+        let rational = NurbsSurface::from(surface.clone());
+        for is_shuffled in [false, true] {
+            if is_shuffled {
+                for k in 0..vs.len() {
+                    vs.swap(k, (k * 7919 + seed) % 120);
+                }
+            }
+            for us in [&us[..], &us[40..45], &[0.7, 0.2]] {
+                let mut grid = vec![[0.0; 3]; us.len() * vs.len()];
+                let mut other = grid.clone();
+                surface.eval_grid(us, &vs, &mut grid);
+                rational.eval_grid(us, &vs, &mut other);
+                for (n, (&p, &q)) in grid.iter().zip(&other).enumerate() {
+                    let point = surface.eval(us[n / vs.len()], vs[n % vs.len()]);
+                    prop_assert!(distance(p, point) < ROUNDING && distance(q, point) < ROUNDING);
+                }
+                // A list that is too short is filled as far as it goes.
+                let mut short = vec![[0.0; 3]; 5];
+                surface.eval_grid(us, &vs, &mut short);
+                prop_assert!(short.iter().zip(&grid).all(|(&p, &q)| distance(p, q) < ROUNDING));
+            }
+            let curve = surface.isocurve(Direction::U, 0.4);
+            let mut points = vec![[0.0; 3]; vs.len()];
+            curve.eval_into(&vs, &mut points).unwrap();
+            for (&t, &p) in vs.iter().zip(&points) {
+                prop_assert!(distance(p, curve.eval(t)) < ROUNDING);
             }
         }
     }

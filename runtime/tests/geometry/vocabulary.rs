@@ -7,6 +7,22 @@ use basis_runtime::{
     Tessellation,
 };
 
+#[cfg(feature = "macros")]
+mod families {
+    use basis_runtime::basis;
+
+    basis!("../../../specs/rational/bezier.basis", Conic);
+    basis! {
+        /// Two parabolas that meet at a knot.
+        family Hat {
+            shape 0 < d;
+            domain 0 <= x <= 1, 1 <= x <= 1 + d;
+            b[0] = x^2 | ((1 + d - x)/d)^2;
+            b[1] = 1 - b[0];
+        }
+    }
+}
+
 /// The rows of the table that begins with this head: their cells.
 fn table(head: &str) -> Vec<Vec<String>> {
     let page = include_str!("../../src/lib.rs");
@@ -142,6 +158,17 @@ fn of_curves() {
     let isocurve = Isocurve::new(&surface, Direction::U, 0.5);
     // Types without a column answer all as well.
     let _ = (ask_curve!(&path, &flat), ask_curve!(&rational, &rational_plane));
+    #[cfg(feature = "macros")]
+    {
+        let conic = families::Conic::new(0.5).unwrap();
+        let ends = ([[0.0; 3], [1.0, 2.0, 0.5], [2.0, 0.0, 1.0]], [[0.0; 2], [1.0, 2.0], [2.0, 0.0]]);
+        let _ = ask_curve!(conic.curve(ends.0), conic.curve(ends.1));
+        let hat = families::Hat::new(0.5).unwrap();
+        let hats = (hat.curve([ends.0[0], ends.0[1]]), hat.curve([ends.1[0], ends.1[1]]));
+        let _ = ask_curve!(hats.0, hats.1);
+        let splines = (hats.0.to_rational_spline(), hats.1.to_rational_spline());
+        let _ = ask_curve!(&splines.0, &splines.1);
+    }
     let _ = ask_curve!(&isocurve, &flat, samples(3); eval_with_derivs::<3>(0.3); split(0.3); reversed(););
     let asked = [
         ("`Curve`", ask_curve!(space, plane)),

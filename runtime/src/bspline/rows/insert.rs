@@ -3,6 +3,7 @@
 //! Source: W. Boehm, *Inserting new knots into B-spline curves*, Computer-Aided Design 12 (1980). A list of knots is
 //! inserted in one sweep, in time proportional to the size of the net and of the list.
 
+use alloc::borrow::Cow;
 use alloc::vec::Vec;
 
 use super::{Rows, between};
@@ -32,8 +33,94 @@ pub(in crate::bspline) fn insert_into<P: Point>(
     lanes: usize,
     inserted: &[P::Scalar],
 ) -> Result<Rows<P::Scalar, P>, KnotError> {
+    let inserted = &*in_order(knots, inserted)?;
+    match (lanes, knots.degree()) {
+        (1, 1) => insert_points::<P, 2>(knots, points, inserted),
+        (1, 2) => insert_points::<P, 3>(knots, points, inserted),
+        (1, 3) => insert_points::<P, 4>(knots, points, inserted),
+        (1, 4) => insert_points::<P, 5>(knots, points, inserted),
+        (1, 5) => insert_points::<P, 6>(knots, points, inserted),
+        _ => insert_rows(knots, points, lanes, inserted),
+    }
+}
+
+/// The same for the points of a curve: only the `N = k + 1` of them over the span of the next knot can still change.
+fn insert_points<P: Point, const N: usize>(
+    knots: &KnotVector<P::Scalar>,
+    points: &[P],
+    inserted: &[P::Scalar],
+) -> Result<Rows<P::Scalar, P>, KnotError> {
+    let (k, old) = (N - 1, knots.as_slice());
+    let count = points.len() + inserted.len();
+    let mut head = Vec::with_capacity(old.len() + inserted.len());
+    let mut out: Vec<P> = Vec::with_capacity(count + N);
+    // Where an end of the domain is inserted the window reaches beyond the last point; what stands there is cut off.
+    let point = |index: usize| points[index.min(points.len() - 1)];
+    let mut window = [points[0]; N];
+    let mut next = 0; // the number of old knots, and of points, that are taken
+    for (index, &t) in inserted.iter().enumerate() {
+        let before = next;
+        next += match index {
+            0 => old.partition_point(|&knot| knot <= t),
+            _ => old[next..].iter().take_while(|&&knot| knot <= t).count(),
+        };
+        if index == 0 || next - before >= N {
+            if index > 0 {
+                out.extend_from_slice(&window);
+            }
+            head.extend_from_slice(&old[before..next]);
+            out.extend_from_slice(&points[before..next - N]);
+            window = core::array::from_fn(|j| point(next - N + j));
+        } else {
+            // A few, one by one, which is faster than calls that copy.
+            for taken in before..next {
+                head.push(old[taken]);
+                out.push(window[0]);
+                for j in 1..N {
+                    window[j - 1] = window[j];
+                }
+                window[k] = point(taken);
+            }
+        }
+        let starts = &head[head.len() - N..];
+        if starts[0] == t {
+            return Err(too_often(&head, inserted, index, k));
+        }
+        out.push(window[0]);
+        // Where equal knots stand before it, a mean is the point that is there.
+        for (j, (&start, &end)) in starts[1..].iter().zip(&old[next..]).enumerate() {
+            if start < t {
+                window[j] = between(window[j], window[j + 1], (t - start) / (end - start));
+            }
+        }
+        head.push(t);
+    }
+    if !inserted.is_empty() {
+        out.extend_from_slice(&window);
+    }
+    head.extend_from_slice(&old[next..]);
+    out.extend_from_slice(points.get(next..).unwrap_or_default());
+    out.truncate(count);
+    Ok(Rows { knots: KnotVector::trusted(k, head), points: out, lanes: 1 })
+}
+
+/// The error of a knot that would occur more than `k + 1` times, after those of `head`.
+fn too_often<S: Scalar>(head: &[S], inserted: &[S], index: usize, k: usize) -> KnotError {
+    let knot = inserted[index];
+    let equal = |&&other: &&S| other == knot;
+    let multiplicity =
+        head.iter().rev().take_while(equal).count() + inserted[index..].iter().take_while(equal).count();
+    KnotError::Multiplicity { knot: knot.to_f64(), multiplicity, degree: k }
+}
+
+/// The same for rows of several points.
+fn insert_rows<P: Point>(
+    knots: &KnotVector<P::Scalar>,
+    points: &[P],
+    lanes: usize,
+    inserted: &[P::Scalar],
+) -> Result<Rows<P::Scalar, P>, KnotError> {
     let (k, mut old) = (knots.degree(), knots.as_slice());
-    let inserted = in_order(knots, inserted)?;
 
     // Both lists are split where the work is done: `head…` is new, what follows is the rest of the old list.
     let mut head = Vec::with_capacity(old.len() + inserted.len());
@@ -48,9 +135,7 @@ pub(in crate::bspline) fn insert_into<P: Point>(
             advance(&mut head, &mut old, |knot| knot == t);
         }
         if head.len() - below > k {
-            let multiplicity =
-                head.len() - below + inserted[index..].iter().take_while(|&&other| other == t).count();
-            return Err(KnotError::Multiplicity { knot: t.to_f64(), multiplicity, degree: k });
+            return Err(too_often(&head, inserted, index, k));
         }
         // Rows below - 1 and before it are those whose functions begin before t.
         let (missing, later) = rest.split_at((below * lanes).saturating_sub(head_points.len()));
@@ -59,15 +144,10 @@ pub(in crate::bspline) fn insert_into<P: Point>(
 
         // The last of these rows is doubled; rows that earlier equal knots left behind it move up.
         let first = head.len() - k; // μ - k + 1
-        if lanes == 1 {
-            head_points.insert(below, head_points[below - 1]);
-            blend(&mut head_points[first - 1..], 1, t, &head[first..below], old);
-        } else {
-            let end = head_points.len();
-            head_points.extend_from_within(end - lanes..);
-            head_points.copy_within((below - 1) * lanes..end, below * lanes);
-            blend(&mut head_points[(first - 1) * lanes..], lanes, t, &head[first..below], old);
-        }
+        let end = head_points.len();
+        head_points.extend_from_within(end - lanes..);
+        head_points.copy_within((below - 1) * lanes..end, below * lanes);
+        blend(&mut head_points[(first - 1) * lanes..], lanes, t, &head[first..below], old);
         head.push(t);
     }
     head.extend_from_slice(old);
@@ -76,8 +156,6 @@ pub(in crate::bspline) fn insert_into<P: Point>(
 }
 
 /// Replaces the row `i + 1` by a mean of it and the row before it, for each pair of knots `t[i]`, `t[i+k]`.
-#[inline(always)]
-#[allow(clippy::inline_always)] // only then is there nothing left of the lanes of a curve
 fn blend<P: Point>(rows: &mut [P], lanes: usize, t: P::Scalar, starts: &[P::Scalar], ends: &[P::Scalar]) {
     for (i, (&start, &end)) in starts.iter().zip(ends).enumerate().rev() {
         let alpha = (t - start) / (end - start);
@@ -98,13 +176,13 @@ fn advance<S: Scalar>(head: &mut Vec<S>, old: &mut &[S], moves: impl Fn(S) -> bo
 }
 
 /// The knots in increasing order, if all are in the domain.
-fn in_order<S: Scalar>(knots: &KnotVector<S>, inserted: &[S]) -> Result<Vec<S>, KnotError> {
-    let mut sorted = Vec::with_capacity(inserted.len());
+fn in_order<'a, S: Scalar>(knots: &KnotVector<S>, inserted: &'a [S]) -> Result<Cow<'a, [S]>, KnotError> {
     for &knot in inserted {
-        sorted.push(knots.check(knot)?);
+        knots.check(knot)?;
     }
-    if !sorted.is_sorted() {
-        sorted.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal)); // none is NaN
+    let mut sorted = Cow::Borrowed(inserted);
+    if !inserted.is_sorted() {
+        sorted.to_mut().sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal)); // none is NaN
     }
     Ok(sorted)
 }

@@ -27,6 +27,8 @@ pub enum SpliceError {
         /// The parameter along the edge of the surface that is adjusted.
         parameter: f64,
     },
+    /// Curvatures are to agree, by a method that does not make them.
+    Curvatures,
     /// A linear system has no unique solution.
     Singular,
     /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar
@@ -59,6 +61,9 @@ impl Display for SpliceError {
                      its edge is a point or \
                      the row next to it lies on the edge; positions alone can be joined there"
                 )
+            }
+            Self::Curvatures => {
+                f.write_str("only the exact method makes joints with continuous curvatures, G2")
             }
             Self::Singular => f.write_str("the equations of the joint have no unique solution"),
             Self::NotReached { achieved, spans, gap, angle } => write!(

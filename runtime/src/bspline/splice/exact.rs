@@ -8,8 +8,8 @@ use crate::vector::{dot, length};
 /// across the edge differ by a constant factor: gap and angle are rounding errors.
 ///
 /// The factor is the one with the smallest change of the difference `edge - inner`, but never less than a small
-/// positive one: `a = Σ e·w / Σ w·w` over the control points, `e = edge - inner`, `w = inner' - edge'`.
-pub(super) fn rows(strip: &mut Strip, target: &Strip) {
+/// positive one: `a = Σ e·w / Σ w·w` over the control points, `e = edge - inner`, `w = inner' - edge'`. It is returned.
+pub(super) fn rows(strip: &mut Strip, target: &Strip) -> f64 {
     let pairs = || {
         let e = strip.edge.iter().zip(&strip.inner).map(|(edge, inner)| edge.minus(*inner));
         let w = target.edge.iter().zip(&target.inner).map(|(edge, inner)| inner.minus(*edge));
@@ -27,4 +27,5 @@ pub(super) fn rows(strip: &mut Strip, target: &Strip) {
     strip.edge.clone_from(&target.edge);
     let rows = target.edge.iter().zip(&target.inner);
     strip.inner = rows.map(|(edge, inner)| edge.add_scaled(inner.minus(*edge), -factor)).collect();
+    factor
 }

@@ -69,7 +69,7 @@ pub(in crate::bspline) fn measure(
         let angle = match (bounds::angle(strips, spans, ends), continuity) {
             (Some(angle), _) => angle,
             (None, Continuity::G0) => bounds::Bound { most: 0.0, at: 0.0 },
-            (None, Continuity::G1) => return Err(SpliceError::Degenerate { parameter: lo }),
+            (None, _) => return Err(SpliceError::Degenerate { parameter: lo }),
         };
         if gap.most > whole.gap {
             (whole.gap, whole.gap_at) = (gap.most, lo + (hi - lo) * gap.at);

@@ -9,6 +9,7 @@
 //! - **G1**: `α S_u + β T_w + γ T_t = 0` along the joint with `α` and `β` of opposite sign, where `u` leads out of the
 //!   adjusted surface, `w` into the target and `t` along the edge: the tangent planes agree, and the surfaces continue
 //!   each other instead of folding back.
+//! - **G2**: the normal curvatures agree too, in all directions; a third row of control points is changed.
 
 mod bounds;
 mod correct;
@@ -19,13 +20,14 @@ pub(super) mod measure;
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 mod midpoints;
 pub(super) mod strip;
+mod third;
 
 use alloc::vec::Vec;
 
 pub use error::SpliceError;
 pub use measure::JointMeasure;
 use measure::measure;
-use strip::{Strip, along, place};
+use strip::{Strip, Vector, along, place};
 
 use super::{BSplineSurface, Edge, EdgePair};
 #[cfg(feature = "serde")]
@@ -50,6 +52,10 @@ pub enum Continuity {
     G0,
     /// The tangent planes are the same too.
     G1,
+    /// The normal curvatures are the same too, in every direction, but for rounding errors: reflections have no kinks. Only
+    /// [`Method::Exact`] makes such joints; what is measured of them is gap and angle, and
+    /// [`edge_continuity`](crate::edge_continuity) measures curvatures at samples.
+    G2,
 }
 
 /// How the two rows are found.
@@ -172,10 +178,30 @@ fn measured<P: Point3>(
 
 /// Adjusts `surface` along an edge so that it joins `target`, which stays as it is.
 ///
-/// Only the two rows of control points next to the edge are changed, over a net that is refined along the edge (and
-/// across it, if it has so few rows that the opposite edge and its tangent planes would move).
+/// Only the two rows of control points next to the edge are changed, three for [`Continuity::G2`], over a net that is refined
+/// along the edge (and across it, if it has so few rows that the opposite edge and its tangent planes would move). For
+/// [`Continuity::G2`] the degree across the edge is at least 2.
+///
+/// ```
+/// use basis_runtime::bspline::{
+///     BSplineSurface, Continuity, Edge, EdgePair, KnotVector, Net, SpliceOptions, splice,
+/// };
+/// use basis_runtime::edge_continuity;
+///
+/// let sheet = |from: f64, spans: usize| {
+///     let (u, v) = (KnotVector::uniform(3, 2)?, KnotVector::uniform(3, spans)?);
+///     let point = |i: usize, j: usize| [from + i as f64, j as f64 / (spans + 2) as f64, (i * j) as f64 / 8.0];
+///     BSplineSurface::new(u, v, Net::from_fn(5, spans + 3, point)?)
+/// };
+/// let (adjusted, target) = (sheet(-4.2, 2)?, sheet(0.0, 3)?);
+/// let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+/// let joined = splice(&adjusted, &target, joint, &SpliceOptions::default().continuity(Continuity::G2))?;
+/// assert_eq!(edge_continuity(&joined.surface, &target, joint, 65).order(1e-9, 1e-9, 1e-9), Some(2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
+/// [`SpliceError::Curvatures`] for [`Continuity::G2`] by another method than [`Method::Exact`];
 /// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what is
 /// wrong with the input.
 pub fn splice<P: Point3>(
@@ -189,12 +215,21 @@ pub fn splice<P: Point3>(
             return Err(SpliceError::Tolerance { tolerance });
         }
     }
-    let surface = prepared(surface, joint.first)?;
-    let original = Strip::new(&surface, joint.first)?;
-    let fixed = Strip::new(&target.clamped(), joint.second)?;
-    let fixed = fixed.mapped::<P::Scalar>(original.knots.domain(), joint.reversed, &original.knots)?;
-
     let exact = options.method == Method::Exact;
+    let has_curvatures = options.continuity == Continuity::G2;
+    if has_curvatures && !exact {
+        return Err(SpliceError::Curvatures);
+    }
+    let surface = prepared(surface, joint.first, if has_curvatures { 3 } else { 2 })?;
+    let original = Strip::new(&surface, joint.first)?;
+    let clamped = target.clamped();
+    let fixed = Strip::new(&clamped, joint.second)?;
+    let mapped =
+        |strip: &Strip| strip.mapped::<P::Scalar>(original.knots.domain(), joint.reversed, &original.knots);
+    let seconds =
+        if has_curvatures { Some(mapped(&third::seconds(&clamped, joint.second, &fixed)?)?) } else { None };
+    let fixed = mapped(&fixed)?;
+
     let merge = exact || options.merge;
     let least = if merge { fixed.knots.degree() } else { 0 };
     // Below degree 2 the paper has more equations than unknowns, and tangent planes jump from span to span.
@@ -209,14 +244,24 @@ pub fn splice<P: Point3>(
     if exact {
         fixed = fixed.inserted(&super::rows::missing(&fixed.knots, &base.knots)?)?;
     }
-    let angle = if options.continuity == Continuity::G1 { options.angle } else { f64::INFINITY };
+    // What the third row has to reach, and what it was.
+    let curved = match (seconds, third::Across::new(&surface, joint.first)) {
+        (Some(seconds), Some(across)) => {
+            let seconds = seconds.elevated(degree)?;
+            let missing = super::rows::missing(&seconds.knots, &base.knots)?;
+            let before = third::row(&surface, joint.first, 2, &original)?;
+            Some((across, seconds.inserted(&missing)?, before.elevated(degree)?.inserted(&inserted)?))
+        }
+        _ => None,
+    };
+    let angle = if options.continuity == Continuity::G0 { f64::INFINITY } else { options.angle };
 
     let mut best: Option<(JointMeasure, usize)> = None;
     let (mut rounds, mut best_round) = (0, 0);
     loop {
         rounds += 1;
         let mut strip = base.clone();
-        solve(&mut strip, &fixed, options)?;
+        let factor = solve(&mut strip, &fixed, options)?;
         let (found, pieces) = measure(&strip, &fixed, options.continuity)?;
         let spans = strip.spans();
         let excess = |m: &JointMeasure| m.excess(options.gap, angle);
@@ -225,14 +270,21 @@ pub fn splice<P: Point3>(
             best_round = rounds;
         }
         if excess(&found) <= 1.0 {
-            let result = written(&surface, joint.first, degree, &inserted, &strip)?;
+            let rate = factor * strip.factor / fixed.factor;
+            let third = curved.as_ref().map(|(across, seconds, before)| {
+                let row = third::solved(&strip, *across, seconds, rate);
+                (Strip { edge: row.clone(), inner: row, ..before.clone() }, before)
+            });
+            let rows = [Some(&strip.edge), Some(&strip.inner), third.as_ref().map(|(row, _)| &row.edge)];
+            let result = written(&surface, joint.first, degree, &inserted, rows)?;
             // The figures of what is handed back, in its own precision.
             let measure = measured(&result, target, joint, options.continuity)?;
             if excess(&measure) > 1.0 {
                 best = Some((measure, spans));
                 break;
             }
-            let change = change(&base, &strip);
+            let of_third = third.as_ref().map_or(0.0, |(row, before)| change(before, row));
+            let change = change(&base, &strip).max(of_third);
             return Ok(Splice { surface: result, measure, spans, rounds, change });
         }
         let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, AIM * options.gap, AIM * angle);
@@ -247,15 +299,18 @@ pub fn splice<P: Point3>(
     Err(SpliceError::NotReached { achieved, spans, gap: options.gap, angle: options.angle })
 }
 
-/// A clamped surface with at least two rows beyond the two that change, so that the opposite edge keeps its tangent
-/// planes.
-fn prepared<P: Point3>(surface: &BSplineSurface<P>, edge: Edge) -> Result<BSplineSurface<P>, SpliceError> {
+/// A clamped surface with at least two rows beyond those that change, so that the opposite edge keeps its tangent planes.
+fn prepared<P: Point3>(
+    surface: &BSplineSurface<P>,
+    edge: Edge,
+    changed: usize,
+) -> Result<BSplineSurface<P>, SpliceError> {
     let mut surface = surface.clamped();
     let across = edge.across();
-    while surface.knots(across).degree() == 0 {
+    while surface.knots(across).degree() + 1 < changed {
         surface = surface.elevate(across)?;
     }
-    while surface.knots(across).functions() < 4 {
+    while surface.knots(across).functions() < changed + 2 {
         let finer = surface.refined(across);
         if finer == surface {
             return Err(SpliceError::OneRow);
@@ -265,11 +320,10 @@ fn prepared<P: Point3>(surface: &BSplineSurface<P>, edge: Edge) -> Result<BSplin
     Ok(surface)
 }
 
-/// One round: both rows over the knots that the strip has.
-fn solve(strip: &mut Strip, target: &Strip, options: &SpliceOptions) -> Result<(), SpliceError> {
-    if options.method == Method::Exact && options.continuity == Continuity::G1 {
-        exact::rows(strip, target);
-        return Ok(());
+/// One round: both rows over the knots that the strip has; the factor between them and those of the target, if there is one.
+fn solve(strip: &mut Strip, target: &Strip, options: &SpliceOptions) -> Result<f64, SpliceError> {
+    if options.method == Method::Exact && options.continuity != Continuity::G0 {
+        return Ok(exact::rows(strip, target));
     }
     let change = match options.method {
         #[cfg(all(feature = "nalgebra", feature = "std"))]
@@ -293,16 +347,16 @@ fn solve(strip: &mut Strip, target: &Strip, options: &SpliceOptions) -> Result<(
             _ => dense::inner(strip, target)?,
         }
     }
-    Ok(())
+    Ok(0.0)
 }
 
-/// The surface with the rows of the strip.
+/// The surface with these rows, from the edge on.
 fn written<P: Point3>(
     surface: &BSplineSurface<P>,
     edge: Edge,
     degree: usize,
     inserted: &[f64],
-    strip: &Strip,
+    rows: [Option<&Vec<Vector>>; 3],
 ) -> Result<BSplineSurface<P>, SpliceError> {
     let direction = along(edge);
     let mut surface = surface.clone();
@@ -311,7 +365,7 @@ fn written<P: Point3>(
     }
     let inserted: Vec<_> = inserted.iter().map(|&t| P::Scalar::of(t)).collect();
     let mut surface = surface.insert_knots(direction, &inserted)?;
-    for (layer, row) in [&strip.edge, &strip.inner].into_iter().enumerate() {
+    for (layer, row) in rows.into_iter().flatten().enumerate() {
         for (j, point) in row.iter().enumerate() {
             let index = place(&surface, edge, layer, j);
             surface.set_control_point(index, P::from_components(|i| P::Scalar::of(point[i])));

@@ -11,6 +11,10 @@ use crate::{Basis, BernsteinOf, Contact, Curve, CurveError, Joint, Point, Scalar
 
 /// A curve of one or more segments of the family `B`, each with its own shape values.
 ///
+/// One type for all segments is what keeps points and derivatives as fast as those of a [`Curve`]. Segments of different
+/// families and degrees, and splines, make a `Path` (feature `geometry`), which answers the same questions:
+/// `Path::from_curve(&first)`, then `append(&second)`.
+///
 /// Its parameter runs from 0 to the number of segments: segment `k` lies over `k <= u <= k + 1`, where its own
 /// parameter runs through its domain. At a whole number the later segment counts, but for the end of the curve.
 ///

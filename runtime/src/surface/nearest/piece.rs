@@ -245,24 +245,37 @@ impl Piece {
     /// The parts below and above a place in that direction, by de Casteljau's algorithm.
     #[inline]
     pub(crate) fn split(&self, along: usize, at: f64) -> [Self; 2] {
-        let degree = self.degrees[along];
-        // `count` lists of `degree + 1` entries that are `stride` numbers apart, from `start(n)` on.
-        let row = (self.degrees[0] + 1) * self.stride;
-        let (stride, count) =
-            if along == 0 { (self.stride, (self.degrees[1] + 1) * self.stride) } else { (row, row) };
-        let start = |n: usize| if along == 0 { n / self.stride * row + n % self.stride } else { n };
         let (mut lower, mut upper) = (self.net.clone(), self.net.clone());
-        for n in 0..count {
-            let first = start(n);
+        self.divide(&mut upper, &mut lower, along, at);
+        [lower, upper].map(|net| Self { net, ..*self })
+    }
+
+    /// Makes of a net as long as this one the part above a place in that direction, and of `lower` the part below it.
+    #[inline]
+    pub(crate) fn divide(&self, upper: &mut [f64], lower: &mut [f64], along: usize, at: f64) {
+        let degree = self.degrees[along];
+        // Control points of that direction are `count` numbers apart, and as many are carried through all steps together.
+        let count = if along == 0 { self.stride } else { (self.degrees[0] + 1) * self.stride };
+        let length = (degree + 1) * count;
+        for (upper, lower) in upper.chunks_exact_mut(length).zip(lower.chunks_exact_mut(length)) {
+            lower[..count].copy_from_slice(&upper[..count]);
             for step in 1..=degree {
                 for i in 0..=degree - step {
-                    upper[first + i * stride] =
-                        (1.0 - at) * upper[first + i * stride] + at * upper[first + (i + 1) * stride];
+                    let (here, next) = upper[i * count..(i + 2) * count].split_at_mut(count);
+                    for (x, next) in here.iter_mut().zip(next) {
+                        *x = (1.0 - at) * *x + at * *next;
+                    }
                 }
-                lower[first + step * stride] = upper[first];
+                lower[step * count..][..count].copy_from_slice(&upper[..count]);
             }
         }
-        [lower, upper].map(|net| Self { net, ..*self })
+    }
+
+    /// All numbers of the net.
+    #[cfg(feature = "mesh")]
+    #[inline]
+    pub(crate) fn numbers(&self) -> &[f64] {
+        &self.net
     }
 
     /// `[S, S_u, S_v, S_uu, S_uv, S_vv]` at a place, one after the other.

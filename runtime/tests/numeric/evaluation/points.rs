@@ -57,6 +57,59 @@ fn glam_vectors() {
     assert_eq!(curve.eval(1.0), p3);
 }
 
+/// Other versions of glam, those of Bevy among them; several at once.
+macro_rules! versions_of_glam {
+    ($($feature:literal $glam:ident;)+) => {$(
+        #[test]
+        #[cfg(feature = $feature)]
+        fn $glam() {
+            use $glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec3A, Vec4};
+
+            is_a_point::<Vec2>(2);
+            is_a_point::<Vec3>(3);
+            is_a_point::<Vec3A>(3);
+            is_a_point::<Vec4>(4);
+            is_a_point::<DVec2>(2);
+            is_a_point::<DVec3>(3);
+            is_a_point::<DVec4>(4);
+            normals_are_vectors::<Vec3>();
+        }
+    )+};
+}
+versions_of_glam! {
+    "glam_030" glam_030;
+    "glam_032" glam_032;
+    "glam_033" glam_033;
+}
+
+#[test]
+#[cfg(feature = "mint")]
+fn mint_vectors_and_points() {
+    is_a_point::<mint::Point2<f32>>(2);
+    is_a_point::<mint::Point3<f64>>(3);
+    is_a_point::<mint::Vector2<f64>>(2);
+    is_a_point::<mint::Vector3<f32>>(3);
+    is_a_point::<mint::Vector4<f32>>(4);
+    normals_are_vectors::<mint::Point3<f32>>();
+    let normal: mint::Vector3<f64> = normals_are_vectors::<mint::Point3<f64>>();
+    assert_eq!([normal.x, normal.y, normal.z], [0.0, 0.0, 1.0]);
+}
+
+/// The normal of the plane of x and y.
+#[cfg(any(feature = "glam_030", feature = "glam_032", feature = "glam_033", feature = "mint"))]
+fn normals_are_vectors<P: basis_runtime::Point3>() -> P::Vector {
+    use basis_runtime::{BernsteinBasis, Surface, TensorSurface};
+
+    let linear = BernsteinBasis::<P::Scalar, 2>::new();
+    let corner = |i: usize, j: usize| P::from_components(|c| P::Scalar::from_usize([i, j, 0][c]));
+    let plane =
+        TensorSurface::new(linear, linear, [[corner(0, 0), corner(0, 1)], [corner(1, 0), corner(1, 1)]]);
+    let half = P::Scalar::of(0.5);
+    let normal = plane.normal(half, half).unwrap();
+    assert_eq!(normal.component(2), P::Scalar::ONE);
+    normal
+}
+
 #[test]
 #[cfg(feature = "nalgebra")]
 fn nalgebra_vectors_and_points() {

@@ -28,12 +28,22 @@
 //! | [`nonnegative`] | | no function is negative |
 //! | [`convex_hull`] | | curves stay in the convex hull of their control points |
 //! | [`affine_invariance`] | | an affine map of the control points maps the curve |
+//!
+//! The same for families on triangles and tetrahedra is in [`simplices`], on boxes in [`boxes`], on prisms and other products
+//! in [`products`]: `laws::simplices::consistent(&basis, &checks)?`. There are no laws of parts there.
+
+mod domains;
+mod patches;
+mod random;
 
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
+pub use domains::{boxes, products, simplices};
+
 use crate::domain::from_unit;
 use crate::{Array, Basis, Curve, Scalar};
+use random::Random;
 
 /// How thoroughly the laws are checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,6 +100,39 @@ impl Display for Law {
     }
 }
 
+/// The coordinates of a point of a domain: one parameter, or several coordinates, of which the first eight are kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    values: [f64; 8],
+    count: usize,
+}
+
+impl Place {
+    fn new<S: Scalar>(coordinates: &[S]) -> Self {
+        let of = |i: usize| coordinates.get(i).map_or(0.0, |x| x.to_f64());
+        Self { values: core::array::from_fn(of), count: coordinates.len().min(8) }
+    }
+
+    /// The coordinates.
+    pub fn coordinates(&self) -> &[f64] {
+        &self.values[..self.count]
+    }
+}
+
+impl Display for Place {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.coordinates() {
+            [t] => write!(f, "{t}"),
+            all => {
+                for (i, x) in all.iter().enumerate() {
+                    write!(f, "{}{x}", if i == 0 { "(" } else { ", " })?;
+                }
+                f.write_str(")")
+            }
+        }
+    }
+}
+
 /// A law that a family breaks, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {
@@ -97,8 +140,8 @@ pub struct Violation {
     pub law: Law,
     /// The name of the family.
     pub family: &'static str,
-    /// The parameter.
-    pub t: f64,
+    /// Where: the parameter, or the coordinates of a point of the domain.
+    pub at: Place,
     /// The number that was found.
     pub found: f64,
     /// The number that the law asks for, or the bound that it sets.
@@ -107,8 +150,8 @@ pub struct Violation {
 
 impl Display for Violation {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Self { law, family, t, found, expected } = self;
-        write!(f, "{family} breaks the law that {law}: {found} instead of {expected} at {t}")
+        let Self { law, family, at, found, expected } = self;
+        write!(f, "{family} breaks the law that {law}: {found} instead of {expected} at {at}")
     }
 }
 
@@ -142,7 +185,7 @@ pub fn geometric<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation> 
 pub fn form<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation> {
     let mut random = Random(checks.seed);
     for t in parameters::<B>(checks) {
-        let points = random.points::<B>();
+        let points = random.numbers::<B::Scalar, B::Points<B::Scalar>>();
         let curve = Curve::new(*basis, points);
         let values = basis.values(t);
         let terms = || values.as_ref().iter().zip(points.as_ref()).map(|(&b, &p)| b * p);
@@ -170,7 +213,7 @@ pub fn derivatives<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation
     let width = hi - lo;
     let degree = B::Scalar::from_usize(B::DEGREE.max(1));
     for t in parameters::<B>(checks) {
-        let points = random.points::<B>();
+        let points = random.numbers::<B::Scalar, B::Points<B::Scalar>>();
         let curve = Curve::new(*basis, points);
         // A bound for the derivative of each order: that many differences of Bernstein coefficients.
         let mut bound = size(curve.to_bernstein().as_ref());
@@ -198,7 +241,7 @@ pub fn derivatives<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation
 pub fn split<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation> {
     let mut random = Random(checks.seed);
     for t in parameters::<B>(checks) {
-        let curve = Curve::new(*basis, random.points::<B>());
+        let curve = Curve::new(*basis, random.numbers::<B::Scalar, B::Points<B::Scalar>>());
         let size = size(curve.to_bernstein().as_ref());
         let x = crate::domain::unit(B::domain(), t)[1];
         let [a, b] = [random.unit::<B::Scalar>(), random.unit()];
@@ -263,7 +306,7 @@ pub fn convex_hull<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation
     let mut random = Random(checks.seed);
     for t in parameters::<B>(checks) {
         // The components of the points in a random direction are random numbers.
-        let points = random.points::<B>();
+        let points = random.numbers::<B::Scalar, B::Points<B::Scalar>>();
         let found = Curve::new(*basis, points).eval(t);
         let [low, high] = crate::bernstein::bounds(points.as_ref());
         let expected = if found < low {
@@ -285,7 +328,10 @@ pub fn convex_hull<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation
 pub fn affine_invariance<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation> {
     let mut random = Random(checks.seed);
     for t in parameters::<B>(checks) {
-        let [x, y] = [random.points::<B>(), random.points::<B>()];
+        let [x, y] = [
+            random.numbers::<B::Scalar, B::Points<B::Scalar>>(),
+            random.numbers::<B::Scalar, B::Points<B::Scalar>>(),
+        ];
         let [a, b, c]: [B::Scalar; 3] = core::array::from_fn(|_| random.between_ones());
         // One row of the map; the other is another round.
         let map = |x: B::Scalar, y: B::Scalar| a * x + b * y + c;
@@ -337,7 +383,8 @@ fn exact<B: Basis>(law: Law, t: B::Scalar, found: B::Scalar, expected: B::Scalar
 }
 
 fn violation<B: Basis>(law: Law, t: B::Scalar, found: B::Scalar, expected: B::Scalar) -> Violation {
-    Violation { law, family: B::NAME, t: t.to_f64(), found: found.to_f64(), expected: expected.to_f64() }
+    let at = Place::new(&[t]);
+    Violation { law, family: B::NAME, at, found: found.to_f64(), expected: expected.to_f64() }
 }
 
 /// Both ends of the domain, then random parameters, every fourth close to an end.
@@ -354,27 +401,4 @@ fn parameters<B: Basis>(checks: &Checks) -> impl Iterator<Item = B::Scalar> {
         from_unit([lo, hi], x)
     });
     [lo, hi].into_iter().chain(inner)
-}
-
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    /// A number from 0 to 1.
-    fn unit<S: Scalar>(&mut self) -> S {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        S::of(((z ^ (z >> 31)) >> 11) as f64 / 9_007_199_254_740_992.0)
-    }
-
-    /// A number from -1 to 1.
-    fn between_ones<S: Scalar>(&mut self) -> S {
-        S::of(2.0) * self.unit() - S::ONE
-    }
-
-    fn points<B: Basis>(&mut self) -> B::Points<B::Scalar> {
-        B::Points::from_fn(|_| self.between_ones())
-    }
 }
