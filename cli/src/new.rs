@@ -20,6 +20,13 @@ pub(crate) fn run(arguments: &NewArguments) -> Status {
         output::complain(&(error.render(&Sources::default(), true) + "\n"));
         Status::Unusable
     };
+    if query::word(name).is_some() {
+        let help = match arguments.kind.or_else(|| told(name)) {
+            Some(kind) => format!("choose another: `basis new MyFamily --kind {}`", label(kind)),
+            None => String::from("choose another: `basis new MyFamily`"),
+        };
+        return fail(format!("`{name}` is a word of the language, not the name of a family"), &help);
+    }
     if !query::is_name(name) {
         let message = format!("`{name}` is not the name of a family");
         return fail(message, "write letters and digits, beginning with a letter: `basis new RationalCubic`");
@@ -52,8 +59,12 @@ pub(crate) fn run(arguments: &NewArguments) -> Status {
     }
 }
 
-/// The kind that a name tells: `RationalCubic` is rational.
 fn kind_of(name: &str) -> Kind {
+    told(name).unwrap_or(Kind::Curve)
+}
+
+/// The kind that a name tells: `RationalCubic` is rational.
+fn told(name: &str) -> Option<Kind> {
     let name = ascii(name).to_ascii_lowercase();
     let words = [
         ("rational", Kind::Rational),
@@ -61,7 +72,7 @@ fn kind_of(name: &str) -> Kind {
         ("spline", Kind::Spline),
         ("triang", Kind::Triangle),
     ];
-    words.into_iter().find(|(word, _)| name.contains(word)).map_or(Kind::Curve, |(_, kind)| kind)
+    words.into_iter().find(|(word, _)| name.contains(word)).map(|(_, kind)| kind)
 }
 
 /// The name of a kind on the command line.

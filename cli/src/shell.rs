@@ -3,10 +3,11 @@
 use std::fs;
 
 use basis_engine::Sources;
-use clap::CommandFactory as _;
+use clap::{Command, CommandFactory as _};
 use clap_mangen::Man;
 
 use crate::args::{Arguments, CompletionsArguments, ManArguments};
+use crate::name;
 use crate::output::{self, Status};
 
 /// Prints the completions of a shell.
@@ -16,12 +17,22 @@ pub(crate) fn completions(arguments: &CompletionsArguments) -> Status {
     output::print(&String::from_utf8_lossy(&script))
 }
 
-/// Prints the manual page, or writes all pages into a folder.
+/// Prints a manual page, or writes all pages into a folder.
 pub(crate) fn man(arguments: &ManArguments) -> Status {
     let written = match &arguments.output {
         None => {
+            // Built, a subcommand has its whole name, `basis-check`.
+            let mut all = Arguments::command().disable_help_subcommand(true);
+            all.build();
+            let wanted = match &arguments.command {
+                None => &all,
+                Some(name) => match all.find_subcommand(name) {
+                    Some(command) => command,
+                    None => return unknown(name, &all),
+                },
+            };
             let mut page = Vec::new();
-            Man::new(Arguments::command())
+            Man::new(wanted.clone())
                 .render(&mut page)
                 .map(|()| output::print(&String::from_utf8_lossy(&page)))
         }
@@ -34,4 +45,12 @@ pub(crate) fn man(arguments: &ManArguments) -> Status {
         output::complain(&(error.render(&Sources::default(), true) + "\n"));
         Status::Unusable
     })
+}
+
+fn unknown(name: &str, all: &Command) -> Status {
+    let names: Vec<&str> = all.get_subcommands().map(Command::get_name).collect();
+    let error = output::error(format!("`{name}` is no command of `basis`"));
+    let error = error.help(format!("the commands are {}", name::list(&names)));
+    output::complain(&(error.render(&Sources::default(), true) + "\n"));
+    Status::Unusable
 }

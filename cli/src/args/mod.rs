@@ -92,7 +92,7 @@ pub(crate) enum Command {
     ///
     /// Functions on an interval are lines, those on a triangle or a box of two variables maps with one scale of colours,
     /// red below zero; those of three variables, as on a prism, are cut at a value of one of them. A range of shape values gives five lines for each function. With control points the curve is drawn
-    /// beside the functions. A point at which a claim fails is marked. The page has sliders for the shape values and control
+    /// beside the functions. Points at which claims fail are marked, grey where `refute` declares them false. The page has sliders for the shape values and control
     /// points to drag, and is one file.
     #[command(after_help = PLOT_HELP)]
     Plot(PlotArguments),
@@ -110,7 +110,7 @@ pub(crate) enum Command {
     /// Print the completions of a shell
     #[command(after_help = COMPLETIONS_HELP)]
     Completions(CompletionsArguments),
-    /// Print the manual page of the command, or write one for each subcommand
+    /// Print the manual page of the command or of a subcommand, or write all of them
     Man(ManArguments),
 }
 
@@ -320,6 +320,9 @@ Examples:
 /// What can be typed after `basis man`.
 #[derive(Debug, Args)]
 pub(crate) struct ManArguments {
+    /// The subcommand whose page is printed, such as `check`; without it that of `basis`
+    #[arg(conflicts_with = "output")]
+    pub(crate) command: Option<String>,
     /// Write basis.1, basis-check.1 and so on into this folder
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,

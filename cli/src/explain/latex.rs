@@ -3,6 +3,7 @@
 use basis_engine::query::latex::{escape, inline, math, name as latex_name};
 
 use super::facts::{ClaimFacts, Contact, Equation, Facts, FamilyFacts, TheoremFacts};
+use super::lines::{display, loose};
 
 /// The document.
 pub(super) fn document(all: &[Facts]) -> String {
@@ -341,79 +342,8 @@ fn bracketed(text: &str) -> String {
     inline(text)
 }
 
-/// The most characters of an equation on one line.
+/// The most characters of a sentence that is one line of its formulas.
 const MAX_LINE: usize = 100;
-
-/// Equations below each other; long ones are broken before a sign.
-fn display(lines: impl Iterator<Item = String>) -> String {
-    let lines: Vec<String> = lines.map(|line| broken(&line)).collect();
-    format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", lines.join(" \\\\\n"))
-}
-
-/// A long equation, broken before signs: those in brackets, which get a fixed size for it, and those of long numerators,
-/// which become factors in brackets.
-fn broken(line: &str) -> String {
-    if line.chars().count() <= MAX_LINE {
-        return line.to_string();
-    }
-    let line = loose(&factors(line), "\\bigl", "\\bigr");
-    let mut text = String::new();
-    let (mut depth, mut width) = (0_i32, 0);
-    let mut rest = line.as_str();
-    while let Some(c) = rest.chars().next() {
-        depth += i32::from(c == '{') - i32::from(c == '}');
-        let sign = rest.starts_with(" + ") || rest.starts_with(" - ");
-        if sign && depth == 0 && width > MAX_LINE - 44 {
-            text += " \\\\\n&\\quad";
-            width = 0;
-        }
-        // A command is one sign in print, and brackets of groups are none.
-        let letters = |rest: &str| rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
-        let len = if c == '\\' { 1 + letters(&rest[1..]).max(1) } else { c.len_utf8() };
-        text += &rest[..len];
-        width += usize::from(!matches!(c, '{' | '}' | '^' | '_'));
-        rest = &rest[len..];
-    }
-    text
-}
-
-/// Brackets of other kinds in place of those that grow with what they hold, in which no line ends.
-fn loose(math: &str, open: &str, close: &str) -> String {
-    let text = math.replace("\\left(", &format!("{open}(")).replace("\\right)", &format!("{close})"));
-    text.replace("\\left[", &format!("{open}[")).replace("\\right]", &format!("{close}]"))
-}
-
-/// Fractions with long numerators as products, `\frac{1}{d} (n)`.
-fn factors(math: &str) -> String {
-    let mut text = String::new();
-    let mut rest = math;
-    while let Some(at) = rest.find("\\frac{") {
-        let (before, fraction) = rest.split_at(at);
-        text += before;
-        let fraction = &fraction["\\frac".len()..];
-        let Some((numer, more)) = group(fraction) else { break };
-        let Some((denom, more)) = group(more) else { break };
-        text += &if numer.chars().count() > MAX_LINE / 2 && numer.contains([' ']) {
-            format!("\\frac{{1}}{{{denom}}} \\left({numer}\\right)")
-        } else {
-            format!("\\frac{{{numer}}}{{{denom}}}")
-        };
-        rest = more;
-    }
-    text + rest
-}
-
-/// What stands between the first brace and its partner, and what follows.
-fn group(text: &str) -> Option<(&str, &str)> {
-    let mut depth = 0;
-    for (at, c) in text.char_indices() {
-        depth += i32::from(c == '{') - i32::from(c == '}');
-        if depth == 0 {
-            return Some((text[..at].strip_prefix('{')?, &text[at + 1..]));
-        }
-    }
-    None
-}
 
 /// A sentence whose formulas may end a line anywhere between terms and entries.
 fn flowing(sentence: &str) -> String {

@@ -2,6 +2,8 @@
 
 use basis_engine::query::latex::{escape, math};
 
+use super::lines::{Fractions, width};
+
 /// The width of a page in tenths of the width of a digit, in the usual size and in small print. In smaller print fractions
 /// are no narrower.
 const SIZES: [(&str, usize); 2] = [("", 600), ("\\footnotesize\n", 660)];
@@ -62,7 +64,9 @@ fn lettered(
 /// A matrix in the largest print in which it fits on a page.
 fn fitted(cells: &[Vec<String>]) -> Option<String> {
     let columns = cells.iter().map(Vec::len).max().unwrap_or(0);
-    let widest = |k: usize| cells.iter().filter_map(|row| row.get(k)).map(|c| width(c)).max().unwrap_or(0);
+    let widest = |k: usize| {
+        cells.iter().filter_map(|row| row.get(k)).map(|c| width(c, Fractions::Small)).max().unwrap_or(0)
+    };
     let all: usize = (0..columns).map(widest).sum();
     let choices = SIZES.iter().flat_map(|(size, page)| [(size, page, GAP), (size, page, NARROW)]);
     let (size, _, gap) = choices.into_iter().find(|(_, page, gap)| all + columns * gap <= **page)?;
@@ -82,50 +86,6 @@ fn free_letter(entries: &[Vec<String>]) -> char {
         names.into_iter().any(|name| name.starts_with(letter))
     };
     "cmaegpqrs".chars().find(|letter| !taken(*letter)).unwrap_or('c')
-}
-
-/// About how wide a formula is in print, in tenths of the width of a digit.
-fn width(formula: &str) -> usize {
-    let mut all = 0;
-    let mut rest = formula;
-    while let Some(c) = rest.chars().next() {
-        let after = &rest[c.len_utf8()..];
-        let letters = |text: &str| text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len());
-        (all, rest) = match c {
-            '\\' if after.starts_with("frac{") => {
-                let (numer, more) = group(&after["frac".len()..]);
-                let (denom, more) = group(more);
-                (all + 5 + width(numer).max(width(denom)) * 7 / 10, more)
-            }
-            '\\' if after.starts_with([',', ' ', ';']) => (all + 3, &after[1..]),
-            '\\' if after.starts_with("left") || after.starts_with("right") => {
-                (all, &after[letters(after)..])
-            }
-            '\\' => (all + 11, &after[letters(after).max(1)..]),
-            '^' | '_' => {
-                let (script, more) = group(after);
-                (all + width(script) * 7 / 10, more)
-            }
-            '+' | '-' => (all + 24, after),
-            '{' | '}' | ' ' => (all, after),
-            _ => (all + 11, after),
-        };
-    }
-    all
-}
-
-/// What stands in the braces with which a text begins, or its first sign, and what follows.
-fn group(text: &str) -> (&str, &str) {
-    let mut depth = 0;
-    for (at, c) in text.char_indices() {
-        depth += i32::from(c == '{') - i32::from(c == '}');
-        if depth == 0 {
-            let end = at + c.len_utf8();
-            let inside = text[..end].strip_prefix('{').and_then(|t| t.strip_suffix('}'));
-            return (inside.unwrap_or(&text[..end]), &text[end..]);
-        }
-    }
-    (text, "")
 }
 
 #[cfg(test)]
@@ -152,13 +112,5 @@ mod tests {
         assert!(display.contains("m_{1} & m_{2} & m_{1} & m_{2} & m_{1} & \\frac{1}{2}"), "{display}");
         assert_eq!(letters.len(), 2);
         assert!(letters[1].starts_with("m_{2} &= \\frac{2}{30}"), "{letters:?}");
-    }
-
-    #[test]
-    fn widths_are_those_of_print() {
-        assert_eq!(width("\\frac{1}{20}"), width("\\frac{20}{1}"));
-        assert!(width("\\alpha") < width("aa") && width("x^{2}") < width("x2"));
-        assert_eq!(group("x2"), ("x", "2"));
-        assert_eq!(group("{a{b}}c"), ("a{b}", "c"));
     }
 }

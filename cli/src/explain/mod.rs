@@ -2,6 +2,7 @@
 
 mod facts;
 mod latex;
+mod lines;
 mod matrix;
 
 use std::rc::Rc;

@@ -3,16 +3,19 @@
 use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::rational::{self, Rational};
 use basis_engine::model::Parameter;
+use basis_engine::model::angle::Angle;
 use basis_engine::state::as_declared;
 use basis_engine::{Checked, Family, Verdict, Witness};
 
 use super::values::{Functions, pieces};
 
-/// A claim that is not as declared, with the point at which it fails.
+/// A claim that is refuted, with the point at which it fails.
 #[derive(Clone, Debug)]
 pub(super) struct Failure {
-    /// The shape values there, by variable.
-    pub(super) shapes: Vec<Rational>,
+    /// Whether the spec declares it false.
+    pub(super) declared: bool,
+    /// The shape values there, by variable; nothing for those that play no part.
+    pub(super) shapes: Vec<Option<Rational>>,
     /// The span of the domain on which it fails, counted from zero.
     pub(super) piece: usize,
     /// The domain variables of that span there; nothing for those on which it does not depend.
@@ -23,24 +26,34 @@ pub(super) struct Failure {
     pub(super) text: String,
 }
 
-/// The counterexamples of a family to claims that it declares true.
+impl Failure {
+    /// Whether it is worth a picture: what is declared false only where there is a point to mark.
+    pub(super) fn is_shown(&self) -> bool {
+        !self.declared || self.at.iter().all(Option::is_some)
+    }
+}
+
+/// The counterexamples to claims about a family: first to those that it declares true, then to those that it declares
+/// false.
 pub(super) fn failures(family: &Family, checked: &Checked) -> Vec<Failure> {
     let mut all = Vec::new();
     for (claim, verdict) in &checked.claims {
         let Verdict::Refuted(witness) = verdict else { continue };
-        if as_declared(claim.expected, verdict) {
-            continue;
-        }
+        let declared = as_declared(claim.expected, verdict);
         // Of a shape parameter that plays no part any value will do, and one is there.
         let value = |p: &Parameter| of_name(witness, &p.name);
         let Some(shapes) = family.shapes.iter().map(value).collect::<Option<Vec<_>>>() else { continue };
         let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
         let function = labels.iter().position(|label| *label == witness.of);
-        let text = format!("{}: {}", claim.text, witness.notes.join("; ").replace('`', ""));
+        let notes = witness.notes.join("; ").replace('`', "");
+        let text = format!("{}{}: {notes}", claim.text, if declared { ", declared false" } else { "" });
         let (piece, at) = place(family, witness, &shapes, function);
         let function = function.or_else(|| only(&labels, &witness.of));
-        all.push(Failure { shapes, piece, at, function, text });
+        let plays = |p: &Parameter| coordinate(witness, &p.name);
+        let shapes = family.shapes.iter().map(plays).collect();
+        all.push(Failure { declared, shapes, piece, at, function, text });
     }
+    all.sort_by_key(|failure| failure.declared);
     all
 }
 
@@ -81,7 +94,9 @@ fn place(
 /// ends that are shape parameters; nothing where these ends are no rational numbers.
 fn domain_value(family: &Family, p: &Parameter, witness: &Witness, shapes: &[Rational]) -> Option<Rational> {
     let Some(angle) = family.analytic.angle(p.var) else { return coordinate(witness, &p.name) };
-    let x = coordinate(witness, &angle.tangent_name())?;
+    let Some(x) = coordinate(witness, &angle.tangent_name()) else {
+        return end(p, angle, &coordinate(witness, &angle.name)?);
+    };
     let known = |f: &Fraction| {
         let all = family.shapes.iter().zip(shapes);
         let put = |f: Fraction, (shape, x): (&Parameter, &Rational)| {
@@ -90,6 +105,13 @@ fn domain_value(family: &Family, p: &Parameter, witness: &Witness, shapes: &[Rat
         all.into_iter().try_fold(f.clone(), put)?.as_constant()
     };
     (&x - &known(&angle.low)?).checked_div(&known(&angle.width)?)
+}
+
+/// An end of the range at which an angle is the given number; there a counterexample names the angle itself.
+fn end(p: &Parameter, angle: &Angle, number: &Rational) -> Option<Rational> {
+    let ends = [&p.range.low, &p.range.high];
+    let there = |k: &usize| angle.limits[*k].as_constant().as_ref() == Some(number);
+    ends[(0..2).find(there)?].value().cloned()
 }
 
 /// A rational coordinate of a counterexample, if it plays a part.

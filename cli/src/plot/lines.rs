@@ -5,10 +5,10 @@ use basis_engine::{Diagnostic, Family};
 use svg::Document;
 use svg::node::element::{Circle, Group, Line, Rectangle, Title};
 
-use super::frame::{BAD, FAINT, Frame, INK, colour, dashes, extent, hex, mix, rounded, text};
+use super::frame::{FAINT, Frame, INK, colour, dashes, extent, hex, mix, rounded, text};
 use super::samples::{sampled, strength};
 use super::values::{Functions, pieces};
-use super::{Scene, curve};
+use super::{Mark, Scene, curve};
 use crate::domain;
 
 /// The size of the rectangle in which functions are drawn.
@@ -97,8 +97,14 @@ pub(super) fn document(scene: &Scene, width: f64, height: f64, content: Group) -
     format!("{document}\n")
 }
 
-/// Signs as they are printed.
+/// Signs and π as they are printed.
 pub(super) fn pretty(text: &str) -> String {
+    let is_sign = |c: char| !c.is_alphanumeric() && c != '_';
+    let printed = |part: &str| match part.strip_prefix("pi").filter(|rest| rest.chars().all(is_sign)) {
+        Some(rest) => format!("π{rest}"),
+        None => String::from(part),
+    };
+    let text: String = text.split_inclusive(is_sign).map(printed).collect();
     text.replace("<=", "≤").replace(">=", "≥").replace('-', "\u{2212}")
 }
 
@@ -146,32 +152,62 @@ fn sample_line(x: f64, y: f64, colour: &str) -> Line {
 fn marks(scene: &Scene, frame: &Frame, top: f64) -> (Group, f64) {
     let mut group = Group::new();
     let mut y = top;
+    // Several claims may fail at one point.
+    let mut rings: Vec<Ring> = Vec::new();
     for (k, mark) in scene.marks.iter().enumerate() {
         let number = (k + 1).to_string();
-        if let Some(Some(t)) = mark.failure.at.first() {
-            let piece = pieces(&scene.family).into_iter().nth(mark.failure.piece).unwrap_or(&scene.family);
-            let functions = Functions::new(piece, &scene.settings[mark.setting].values);
-            let value = mark.failure.function.and_then(|f| functions.value(f, core::slice::from_ref(t)));
-            let t = functions.axis(t);
-            let [x, at] = frame.at(t, value.unwrap_or(frame.y[1]));
-            if value.is_none() {
-                let line =
-                    Line::new().set("x1", x).set("x2", x).set("y1", at).set("y2", frame.at(t, frame.y[0])[1]);
-                group = group.add(line.set("stroke", BAD).set("stroke-dasharray", "4 3"));
+        let colour = mark.colour();
+        if let Some(ring) = ring(scene, mark, frame) {
+            match rings.iter_mut().find(|known| known.at == ring.at) {
+                Some(known) => known.numbers.push(number.clone()),
+                None => rings.push(Ring { numbers: vec![number.clone()], ..ring }),
             }
-            let ring = Circle::new().set("cx", x).set("cy", at).set("r", 5.5).set("class", "counterexample");
-            group = group.add(ring.set("fill", "none").set("stroke", BAD).set("stroke-width", 2));
-            // Above the frame are the ranges.
-            let beside = if value.is_none() { at + 17.0 } else { at - 7.0 };
-            group = group.add(text(&number, x + 9.0, beside, 13.0, "start", BAD).set("font-weight", "bold"));
         }
         for (line, part) in wrapped(&pretty(&mark.failure.text), 92).iter().enumerate() {
             let head = if line == 0 { format!("{number}  ✗ ") } else { String::from("      ") };
-            group = group.add(text(&format!("{head}{part}"), 20.0, y, 13.0, "start", BAD));
+            group = group.add(text(&format!("{head}{part}"), 20.0, y, 13.0, "start", colour));
             y += 18.0;
         }
     }
+    for Ring { at: [x, at], foot, colour, numbers } in rings {
+        if let Some(foot) = foot {
+            let line = Line::new().set("x1", x).set("x2", x).set("y1", at).set("y2", foot);
+            group = group.add(line.set("stroke", colour).set("stroke-dasharray", "4 3"));
+        }
+        let ring = Circle::new().set("cx", x).set("cy", at).set("r", 5.5).set("class", "counterexample");
+        group = group.add(ring.set("fill", "none").set("stroke", colour).set("stroke-width", 2));
+        // Above the frame are the ranges.
+        let beside = if foot.is_some() { at + 17.0 } else { at - 7.0 };
+        let numbers = numbers.join(", ");
+        // Beside the frame is the legend.
+        let right = x + 14.0 + 8.2 * numbers.chars().count() as f64;
+        let (left, anchor) =
+            if right > frame.place[0] + frame.place[2] { (x - 9.0, "end") } else { (x + 9.0, "start") };
+        let numbers = text(&numbers, left, beside, 13.0, anchor, colour);
+        group = group.add(numbers.set("font-weight", "bold"));
+    }
     (group, y)
+}
+
+/// Where a counterexample is marked.
+struct Ring {
+    at: [f64; 2],
+    /// Where the line ends on which it stands, if it is about no function.
+    foot: Option<f64>,
+    colour: &'static str,
+    numbers: Vec<String>,
+}
+
+/// Where a counterexample is marked, if it has a place.
+fn ring(scene: &Scene, mark: &Mark, frame: &Frame) -> Option<Ring> {
+    let t = mark.failure.at.first()?.as_ref()?;
+    let piece = pieces(&scene.family).into_iter().nth(mark.failure.piece).unwrap_or(&scene.family);
+    let functions = Functions::new(piece, &scene.settings[mark.setting].values);
+    let value = mark.failure.function.and_then(|f| functions.value(f, core::slice::from_ref(t)));
+    let t = functions.axis(t);
+    let foot = if value.is_none() { Some(frame.at(t, frame.y[0])[1]) } else { None };
+    let at = frame.at(t, value.unwrap_or(frame.y[1])).map(rounded);
+    Some(Ring { at, foot, colour: mark.colour(), numbers: Vec::new() })
 }
 
 /// A text in lines of limited length, in characters.

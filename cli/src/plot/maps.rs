@@ -5,7 +5,7 @@ use basis_engine::algebra::rational::Rational;
 use svg::node::element::{Circle, Group, Path, Polygon, Rectangle, Title};
 
 use super::Scene;
-use super::frame::{BAD, FAINT, INK, hex, mix, number, rounded, scale, text, ticks};
+use super::frame::{FAINT, INK, hex, mix, number, rounded, scale, text, ticks};
 use super::lines::{document, pretty, wrapped};
 use super::values::{Functions, between};
 use crate::output::error;
@@ -64,7 +64,7 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
     let mut y = top + height + 8.0;
     for mark in &scene.marks {
         for line in wrapped(&pretty(&format!("✗ {}", mark.failure.text)), 92) {
-            group = group.add(text(&line, 20.0, y, 13.0, "start", BAD));
+            group = group.add(text(&line, 20.0, y, 13.0, "start", mark.colour()));
             y += 18.0;
         }
     }
@@ -231,7 +231,7 @@ fn panel(
         };
         let [x, y] = at(place(scene, [unit(0, u), unit(1, v)]));
         let ring = Circle::new().set("cx", x).set("cy", y).set("r", 5).set("class", "counterexample");
-        group = group.add(ring.set("fill", "#ffffff").set("stroke", BAD).set("stroke-width", 2.2));
+        group = group.add(ring.set("fill", "#ffffff").set("stroke", mark.colour()).set("stroke-width", 2.2));
     }
     group
 }

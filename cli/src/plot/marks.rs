@@ -1,6 +1,7 @@
 //! Counterexamples as marks in a picture.
 
 use super::failures::Failure;
+use super::frame::{BAD, FAINT};
 use super::settings::Setting;
 
 /// A point to be marked in a picture.
@@ -11,11 +12,22 @@ pub(super) struct Mark {
     pub(super) failure: Failure,
 }
 
-/// Those failures whose shape values are drawn.
+impl Mark {
+    /// Red is what is not as declared.
+    pub(super) fn colour(&self) -> &'static str {
+        if self.failure.declared { FAINT } else { BAD }
+    }
+}
+
+/// Those failures whose shape values are drawn; of what is declared false only what has a place in the picture.
 pub(super) fn at(failures: &[Failure], settings: &[Setting]) -> Vec<Mark> {
     let mark = |failure: &Failure| {
-        let setting = settings.iter().position(|s| s.values == failure.shapes)?;
+        let there = |s: &Setting| {
+            let mut both = s.values.iter().zip(&failure.shapes);
+            both.all(|(value, wanted)| wanted.as_ref().is_none_or(|wanted| wanted == value))
+        };
+        let setting = settings.iter().position(there)?;
         Some(Mark { setting, failure: failure.clone() })
     };
-    failures.iter().filter_map(mark).collect()
+    failures.iter().filter(|failure| failure.is_shown()).filter_map(mark).collect()
 }

@@ -129,9 +129,11 @@ fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<
     let checked = library.item(&family.name, &order).ok().map(decide);
     let mut failures =
         checked.as_ref().map_or_else(Vec::new, |checked: &Checked| failures::failures(&family, checked));
+    let shown = |failures: &[Failure]| failures.iter().find(|f| f.is_shown()).cloned();
     let (mut family, mut cut) = (family, None);
     if family.domain.len() > 2 {
-        let place = cut::place(&family, arguments.at.as_ref(), failures.first()).map_err(|e| vec![e])?;
+        let place =
+            cut::place(&family, arguments.at.as_ref(), shown(&failures).as_ref()).map_err(|e| vec![e])?;
         failures = cut::failures(failures, &place);
         family = Rc::new(cut::family(&family, &place).map_err(|e| vec![e])?);
         cut = Some(place);
@@ -140,7 +142,7 @@ fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<
         return Err(vec![error(message).help("leave `--at` out; it cuts functions of three variables")]);
     }
     let variables = family.domain.len();
-    let settings = settings::settings(&family, &arguments.shapes, failures.first())?;
+    let settings = settings::settings(&family, &arguments.shapes, shown(&failures).as_ref())?;
     if settings.len() > 1 && variables > 1 {
         let message = "a range of shape values is drawn for functions of one variable only";
         return Err(vec![error(message).help("give one value: `--shape λ=1/2`")]);

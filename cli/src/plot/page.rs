@@ -44,8 +44,10 @@ fn data(scene: &Scene) -> Result<Value, Diagnostic> {
     let number = |x: &Rational| x.to_f64();
     let failure = |f: &super::failures::Failure| {
         let at: Vec<Option<f64>> = f.at.iter().map(|x| x.as_ref().map(number)).collect();
-        let shapes: Vec<f64> = f.shapes.iter().map(number).collect();
-        json!({ "text": f.text, "shapes": shapes, "piece": f.piece, "at": at, "function": f.function })
+        let shapes: Vec<Option<f64>> = f.shapes.iter().map(|x| x.as_ref().map(number)).collect();
+        json!({
+            "text": f.text, "declared": f.declared, "shapes": shapes, "piece": f.piece, "at": at, "function": f.function
+        })
     };
     let cut = scene.cut.as_ref().map(|cut| format!(", cut at {}", cut.label)).unwrap_or_default();
     Ok(json!({

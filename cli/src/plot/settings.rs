@@ -73,7 +73,8 @@ pub(super) fn settings(
     }
     let fixed = |k: usize| {
         let parameter = &family.shapes[k];
-        let value = failure.and_then(|f| f.shapes.get(k).cloned()).unwrap_or_else(|| inside(parameter));
+        let value =
+            failure.and_then(|f| f.shapes.get(k).cloned().flatten()).unwrap_or_else(|| inside(parameter));
         Value { shown: format!("{} = {value}", parameter.name), value }
     };
     let all: Vec<Vec<Value>> =

@@ -192,4 +192,25 @@ fn shells_and_manuals_know_the_command() {
     assert_eq!(folder.run(&["man", "-o", "man1"]).code, 0);
     let page = fs::read_to_string(folder.path().join("man1/basis-check.1")).expect("it is written");
     assert!(page.contains("Prove or refute every claim"));
+    assert_eq!(folder.run(&["man", "check"]).stdout, page);
+    let run = folder.run(&["man", "chekc"]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""));
+    assert!(run.stderr.contains("the commands are `check`"), "{}", run.stderr);
+}
+
+#[test]
+fn a_word_of_the_language_names_no_family() {
+    let folder = Folder::new();
+    for (word, help) in [
+        ("triangle", "choose another: `basis new MyFamily --kind triangle`"),
+        ("family", "choose another: `basis new MyFamily`"),
+    ] {
+        let run = folder.run(&["new", word]);
+        assert_eq!(run.code, 2);
+        assert!(
+            run.stderr.contains("is a word of the language") && run.stderr.contains(help),
+            "{}",
+            run.stderr
+        );
+    }
 }

@@ -23,12 +23,18 @@ pub fn inline(text: &str) -> String {
     math(text).map_or_else(|| escape(text), |math| format!("${math}$"))
 }
 
-/// A name in math mode, `\lambda_{1}` for `λ1`.
+/// A name in math mode, `\lambda_{1}` for `λ1` and `\lambda_{1,P}` for `λ1_P`.
 pub fn name(text: &str) -> String {
     let stem = text.trim_end_matches(|c: char| c.is_ascii_digit());
     let (stem, digits) = if stem.is_empty() { (text, "") } else { (stem, &text[stem.len()..]) };
     let (stem, index) = match stem.split_once('_') {
-        Some((stem, index)) if !stem.is_empty() => (stem, format!("{index}{digits}")),
+        Some((stem, index)) if !stem.is_empty() => {
+            let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
+            let (letters, number) =
+                if letters.is_empty() { (stem, "") } else { stem.split_at(letters.len()) };
+            let comma = if number.is_empty() { "" } else { "," };
+            (letters, format!("{number}{comma}{index}{digits}"))
+        }
         _ => (stem, digits.to_string()),
     };
     let mut characters = stem.chars();
@@ -486,6 +492,7 @@ mod tests {
             ("D(b[1], λ) >= 0", "\\partial_{\\lambda} b_{1} \\ge 0"),
             ("D(b, 2) = [6*(1 + λ), 0]", "{b}'' = \\left[6 \\left(1 + \\lambda\\right),\\ 0\\right]"),
             ("C''(0)", "C''\\left(0\\right)"),
+            ("λ12_P^2", "\\lambda_{12,P}^{2}"),
             ("λ_P = -2, t = 1/2", "\\lambda_{P} = -2,\\ t = \\frac{1}{2}"),
             ("sum(i/n*b[i] for i in 0..=n) = t", "\\sum_{0 \\le i \\le n} \\frac{i}{n}\\,b_{i} = t"),
             ("b[i] >= 0 for i in 0..n if i != 1", "b_{i} \\ge 0\\quad 0 \\le i < n,\\ i \\ne 1"),
