@@ -97,6 +97,10 @@ pub trait Basis: Copy + PartialEq + Debug {
     /// were written by hand, and without the feature `rounding`, there are none.
     const ROUNDING: &'static [Rounding] = &[];
 
+    /// A proved bound of the rounding error of each component of a point of a curve, binding included, in ε times the
+    /// largest absolute value of that component of a control point; `None` where none is known.
+    const ROUNDING_POINT: Option<f64> = None;
+
     /// The two ends `[lo, hi]` of the domain, `lo < hi`.
     fn domain() -> [Self::Scalar; 2];
 

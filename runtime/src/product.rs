@@ -110,6 +110,11 @@ pub trait ProductBasis: Copy + PartialEq + Debug {
     /// were written by hand, and without the feature `rounding`, there are none.
     const ROUNDING: &'static [crate::Rounding] = &[];
 
+    /// A proved bound of the rounding error of each component of a point of a patch, binding included, in ε times the
+    /// largest absolute value of that component of a control point, where barycentric coordinates
+    /// add up to 1; `None` where none is known.
+    const ROUNDING_POINT: Option<f64> = None;
+
     /// The factors of the domain.
     const FACTORS: &'static [DomainFactor];
 

@@ -8,8 +8,7 @@ use crate::generate::{self, rational::split};
 use crate::model::chart::Constraint;
 use crate::model::{Factor, Family, Parameter, label};
 use crate::plan::Input;
-use crate::rounding::{Error, decimal};
-use crate::state::point_error;
+use crate::rounding::Error;
 use crate::steps::{Builder, FamilySteps, JoinSteps, Step, Steps};
 use crate::theorem::{Origin, Theorem};
 use basis_kernel::Relation;
@@ -124,15 +123,15 @@ impl<'a> FamilyCode<'a> {
         wanted: &Wanted,
         language: &dyn Language,
     ) -> Result<Self, Diagnostic> {
-        let mut rounding = generate::value_bounds(told, family);
-        rounding.resize(family.functions.len(), None);
-        let known: &[Option<Error>] = if rounding.iter().all(Option::is_none) { &[] } else { &rounding };
-        let (Some(steps), Some(mut documentation)) = (
+        let proved = generate::bounds_of_told(told, family);
+        let (Some(steps), Some(documentation)) = (
             FamilySteps::new(family),
-            generate::documentation(told, family, known, &wanted.checked.claims, DECIDED),
+            generate::documentation(told, family, &proved, &wanted.checked.claims, DECIDED),
         ) else {
             return Err(generate::too_large(family));
         };
+        let generate::Bounds { values: mut rounding, point: point_rounding } = proved;
+        rounding.resize(family.functions.len(), None);
         if let Some(error) = generate::beyond_floats(family, &steps) {
             return Err(error);
         }
@@ -164,12 +163,6 @@ impl<'a> FamilyCode<'a> {
                 name
             })
             .collect();
-        let point_rounding = point_error(family).map(|(error, _)| error);
-        if let Some(error) = &point_rounding {
-            let end =
-                documentation.iter().position(|line| line == "# Claims").unwrap_or(documentation.len() + 1);
-            documentation.splice(end - 1..end - 1, point_lines(family, error));
-        }
         let labels = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
         let assumptions = assumptions(family.assumed(), &family.shapes.iter().collect::<Vec<_>>());
         Ok(Self {
@@ -313,19 +306,6 @@ impl<'a> FamilyCode<'a> {
             labels => labels.join(", "),
         }
     }
-}
-
-/// A bound of the errors of points, for the documentation.
-fn point_lines(family: &Family, error: &Error) -> Vec<String> {
-    let epsilons = decimal(error.epsilons());
-    let of = if family.interval().is_some() { "curve" } else { "patch" };
-    let mut line = format!(
-        "Rounding error of each component of a point of a {of}, binding included, proved to be at most: {epsilons} ε times the largest absolute value of that component of a control point"
-    );
-    if !family.simplices.is_empty() {
-        line += ", where the barycentric coordinates add up to 1";
-    }
-    vec![String::new(), line + "."]
 }
 
 /// The name of an item in a file.

@@ -22,15 +22,15 @@ pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, V
     let Shell { family, name, runtime, .. } = shell;
     let formulas = formulas(family, form);
     let emitter = Emitter { shell, family, form, runtime, ends: Ends::new(shell) };
-    let errors = rounding::errors(family);
-    let basis = emitter.basis(&shell.core(), &rounding::constant(&errors, runtime));
+    let proved = rounding::bounds(family);
+    let basis = emitter.basis(&shell.core(), &rounding::constants(&proved, runtime));
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
         impl<S: #runtime::Scalar> #runtime::Basis for #name<S> {
             #basis
         }
     };
-    let bounds = [nonnegative::on_interval(family, form), rounding::lines(&errors, family)].concat();
+    let bounds = [nonnegative::on_interval(family, form), rounding::lines(&proved, family)].concat();
     let docs = docs::family(family, &formulas, &bounds, verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }

@@ -196,14 +196,14 @@ pub(crate) fn beyond_floats(family: &Family, steps: &crate::steps::FamilySteps<'
 }
 
 /// What the documentation of a generated type says: the formulas, the ranges, the claims with their verdicts; Markdown,
-/// one string a line. `told` is the family as its spec has it, `family` as it is evaluated; `errors` are the bounds of the
-/// rounding errors of all functions, or nothing; `decided` says when the claims were decided. `None` when the family is too
+/// one string a line. `told` is the family as its spec has it, `family` as it is evaluated; `proved` are the bounds of its
+/// rounding errors; `decided` says when the claims were decided. `None` when the family is too
 /// large.
 #[cfg(any(test, feature = "tools"))]
-pub fn documentation(
+pub(crate) fn documentation(
     told: &Family,
     family: &Family,
-    errors: &[Option<crate::rounding::Error>],
+    proved: &Bounds,
     verdicts: &[(Claim, Verdict)],
     decided: &str,
 ) -> Option<Vec<String>> {
@@ -217,15 +217,12 @@ pub fn documentation(
             (patch::formulas(&plans), nonnegative::on_patch(&plans))
         }
     };
-    let bounds = [signs, rounding::lines(errors, family)].concat();
+    let bounds = [signs, rounding::lines(proved, family)].concat();
     Some(code::docs::family(told, &formulas, &bounds, verdicts, decided))
 }
 
-/// The proved bounds of the rounding errors of all functions of the family that is `told` of; empty where there are none.
 #[cfg(any(test, feature = "tools"))]
-pub fn value_bounds(told: &Family, family: &Family) -> Vec<Option<crate::rounding::Error>> {
-    rounding::of_told(told, family)
-}
+pub(crate) use rounding::{Bounds, of_told as bounds_of_told};
 
 /// The quotients of a family that is evaluated by them, one for each span.
 pub(crate) fn rational_forms(family: &Family) -> Option<Vec<RationalForm>> {

@@ -5,13 +5,13 @@ use proc_macro2::TokenStream;
 use crate::model::Family;
 
 /// No bounds.
-pub(super) fn errors(_: &Family) {}
+pub(super) fn bounds(_: &Family) {}
 
 /// No bounds.
-pub(super) fn of_told(_: &Family, _: &Family) {}
+pub(super) fn of_quotients(_: &Family, _: &Family) {}
 
-/// Nothing: the trait has a constant for types without bounds.
-pub(super) fn constant((): &(), _: &TokenStream) -> TokenStream {
+/// Nothing: the trait has constants for types without bounds.
+pub(super) fn constants((): &(), _: &TokenStream) -> TokenStream {
     TokenStream::new()
 }
 

@@ -29,11 +29,11 @@ pub(super) fn emit(shell: &Shell<'_>, verdicts: &[(Claim, Verdict)]) -> Result<T
         return Err(super::too_large(family));
     };
     let emitter = Emitter { shell, plans };
-    let errors = rounding::errors(family);
-    let bounds = [nonnegative::on_patch(&emitter.plans), rounding::lines(&errors, family)].concat();
+    let proved = rounding::bounds(family);
+    let bounds = [nonnegative::on_patch(&emitter.plans), rounding::lines(&proved, family)].concat();
     let docs = docs::family(family, &formulas(&emitter.plans), &bounds, verdicts, shell.decided);
-    let constant = rounding::constant(&errors, shell.runtime);
-    Ok(shell.definition(&docs, &emitter.methods(), &emitter.traits(&constant)))
+    let constants = rounding::constants(&proved, shell.runtime);
+    Ok(shell.definition(&docs, &emitter.methods(), &emitter.traits(&constants)))
 }
 
 /// The functions as products, for reading, and how they are raised.

@@ -37,8 +37,8 @@ pub(super) fn emit(
         pieces.map(|(piece, form)| OnSpan { shell, family: piece, form, runtime }).listed()
     };
     let emitter = Emitter { shell, spans };
-    let errors = rounding::of_told(told, family);
-    let (which, basis) = emitter.basis(&shell.core(), &rounding::constant(&errors, runtime));
+    let proved = rounding::of_quotients(told, family);
+    let (which, basis) = emitter.basis(&shell.core(), &rounding::constants(&proved, runtime));
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
         impl<S: #runtime::Scalar> #runtime::#which for #name<S> {
@@ -46,7 +46,7 @@ pub(super) fn emit(
         }
     };
     let formulas = formulas(told, family, forms);
-    let bounds = [nonnegative::of_quotients(family, forms), rounding::lines(&errors, family)].concat();
+    let bounds = [nonnegative::of_quotients(family, forms), rounding::lines(&proved, family)].concat();
     let docs = docs::family(told, &formulas, &bounds, verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }

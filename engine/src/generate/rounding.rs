@@ -5,48 +5,86 @@ use quote::quote_spanned;
 
 use super::code::tokens::{float, site};
 use crate::model::Family;
-use crate::rounding::{Error, grouped};
-use crate::state::value_errors;
+use crate::rounding::{Error, decimal, grouped};
+use crate::state::{point_error, value_errors};
 use basis_prover::collections::list::{Listed, Mapped};
 
-/// The proved bounds for the functions of the family that is `told` of; empty where there are none. Polynomials that are
-/// evaluated in place of its functions differ from these by more than a bound of their own errors says.
-pub(super) fn of_told(told: &Family, family: &Family) -> Vec<Option<Error>> {
-    if told.pieces.len() == family.pieces.len() { errors(family) } else { Vec::new() }
+/// The bounds that are proved for a family.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Bounds {
+    /// Those of the values, one for each function, `None` where none is proved; empty where there are none.
+    pub(crate) values: Vec<Option<Error>>,
+    /// That of each component of a point of a curve or patch, binding included, relative to the largest absolute value of
+    /// that component of a control point.
+    pub(crate) point: Option<Error>,
 }
 
-/// The proved bounds for all functions; empty where there are none.
-pub(super) fn errors(family: &Family) -> Vec<Option<Error>> {
-    let errors = value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).listed();
-    if errors.iter().all(Option::is_none) { Vec::new() } else { errors }
+/// Those of quotients, and of functions on several spans, in Rust, whose points the runtime computes in another association than
+/// steps do.
+pub(super) fn of_quotients(told: &Family, family: &Family) -> Bounds {
+    Bounds { point: None, ..of_told(told, family) }
 }
 
-/// The constant `ROUNDING` of a trait.
-pub(super) fn constant(errors: &[Option<Error>], runtime: &TokenStream) -> TokenStream {
-    if errors.is_empty() {
-        return TokenStream::new();
+/// The bounds of the family that is `told` of. Polynomials that are evaluated in place of its functions differ from these by
+/// more than a bound of their own errors says.
+pub(crate) fn of_told(told: &Family, family: &Family) -> Bounds {
+    if told.pieces.len() == family.pieces.len() { bounds(family) } else { Bounds::default() }
+}
+
+/// The proved bounds of a family.
+pub(crate) fn bounds(family: &Family) -> Bounds {
+    let values = value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).listed();
+    let values = if values.iter().all(Option::is_none) { Vec::new() } else { values };
+    Bounds { values, point: point_error(family).map(|(error, _)| error) }
+}
+
+/// The constants `ROUNDING` and `ROUNDING_POINT` of a trait.
+pub(super) fn constants(bounds: &Bounds, runtime: &TokenStream) -> TokenStream {
+    let mut constants = TokenStream::new();
+    if !bounds.values.is_empty() {
+        let values = bounds.values.mapped(|error| match error {
+            Some(Error::Relative(bound)) => {
+                let bound = float(bound);
+                quote_spanned!(site()=> #runtime::Rounding::Relative(#bound))
+            }
+            Some(Error::Absolute(bound)) => {
+                let bound = float(bound);
+                quote_spanned!(site()=> #runtime::Rounding::Absolute(#bound))
+            }
+            None => quote_spanned!(site()=> #runtime::Rounding::Unknown),
+        });
+        constants = quote_spanned!(site()=> const ROUNDING: &'static [#runtime::Rounding] = &[#(#values),*];);
     }
-    let bounds = errors.mapped(|error| match error {
-        Some(Error::Relative(bound)) => {
-            let bound = float(bound);
-            quote_spanned!(site()=> #runtime::Rounding::Relative(#bound))
-        }
-        Some(Error::Absolute(bound)) => {
-            let bound = float(bound);
-            quote_spanned!(site()=> #runtime::Rounding::Absolute(#bound))
-        }
-        None => quote_spanned!(site()=> #runtime::Rounding::Unknown),
-    });
-    quote_spanned!(site()=> const ROUNDING: &'static [#runtime::Rounding] = &[#(#bounds),*];)
+    if let Some(point) = &bounds.point {
+        let core = quote_spanned!(site()=> #runtime::__private::core);
+        let point = float(point.epsilons());
+        constants = quote_spanned! {site()=>
+            #constants
+            const ROUNDING_POINT: #core::option::Option<f64> = #core::option::Option::Some(#point);
+        };
+    }
+    constants
 }
 
 /// What the documentation says of the bounds. Functions with the same one stand together.
-pub(super) fn lines(errors: &[Option<Error>], family: &Family) -> Vec<String> {
-    if errors.is_empty() {
-        return Vec::new();
+pub(super) fn lines(bounds: &Bounds, family: &Family) -> Vec<String> {
+    let mut lines = Vec::new();
+    if !bounds.values.is_empty() {
+        let groups = grouped(&bounds.values, family, "unknown");
+        let texts = groups.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
+        let line = format!("Rounding errors of the values, proved to be at most: {}.", texts.join("; "));
+        lines.extend([String::new(), line]);
     }
-    let groups = grouped(errors, family, "unknown");
-    let texts = groups.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
-    let line = format!("Rounding errors of the values, proved to be at most: {}.", texts.join("; "));
-    vec![String::new(), line]
+    if let Some(error) = &bounds.point {
+        let epsilons = decimal(error.epsilons());
+        let of = if family.interval().is_some() { "curve" } else { "patch" };
+        let mut line = format!(
+            "Rounding error of each component of a point of a {of}, binding included, proved to be at most: {epsilons} ε times the largest absolute value of that component of a control point"
+        );
+        if !family.simplices.is_empty() {
+            line += ", where the barycentric coordinates add up to 1";
+        }
+        lines.extend([String::new(), line + "."]);
+    }
+    lines
 }

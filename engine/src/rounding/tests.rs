@@ -77,9 +77,9 @@ fn of(steps: &Steps, shape: Range) -> Vec<String> {
         points: Vec::new(),
         ones: false,
     };
-    let mut exact = Exact::new(steps, &inputs).unwrap();
+    let mut spans = [OnSpan { exact: Exact::new(steps, &inputs).unwrap(), steps, inputs: &inputs }];
     let work = &mut Work::unlimited();
-    let bounds = steps.outputs.iter().map(|output| value(&mut exact, *output, &inputs, work));
+    let bounds = (0..steps.outputs.len()).map(|k| value(&mut spans, k, work));
     bounds.map(|bound| bound.unwrap().error.to_string()).collect()
 }
 

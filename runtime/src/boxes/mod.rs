@@ -60,6 +60,10 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
     /// were written by hand, and without the feature `rounding`, there are none.
     const ROUNDING: &'static [crate::Rounding] = &[];
 
+    /// A proved bound of the rounding error of each component of a point of a patch, binding included, in ε times the
+    /// largest absolute value of that component of a control point; `None` where none is known.
+    const ROUNDING_POINT: Option<f64> = None;
+
     /// The degree of the functions in each coordinate.
     const DEGREES: &'static [usize];
 

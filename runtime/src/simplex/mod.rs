@@ -81,6 +81,11 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
     /// were written by hand, and without the feature `rounding`, there are none.
     const ROUNDING: &'static [crate::Rounding] = &[];
 
+    /// A proved bound of the rounding error of each component of a point of a patch, binding included, in ε times the
+    /// largest absolute value of that component of a control point, where the barycentric coordinates
+    /// add up to 1; `None` where none is known.
+    const ROUNDING_POINT: Option<f64> = None;
+
     /// The degree of the functions.
     const DEGREE: usize;
 

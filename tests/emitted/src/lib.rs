@@ -9,7 +9,9 @@ pub mod quotients;
 
 #[cfg(test)]
 mod tests {
-    use basis_runtime::{BoxPatch, Contact, Curve, Rounding, SimplexPatch, SpannedBasis};
+    use basis_runtime::{
+        Basis, BoxPatch, Contact, Curve, Rounding, SimplexBasis, SimplexPatch, SpannedBasis, TriangularBasis,
+    };
 
     use crate::quotients::{Fall, Hump, Peak, Swing};
     use crate::shapes::{Bell, Sheet, SmoothScalars, Tent, smooth};
@@ -58,5 +60,36 @@ mod tests {
         let hump = Hump::new(1.0).expect("inside the range");
         assert_eq!(hump.values(1.0), [2.0, 0.0]);
         assert!(matches!(Hump::<f32>::ROUNDING, [Rounding::Relative(_), Rounding::Absolute(_)]));
+    }
+    /// Points in `f32` beside those in `f64`, whose errors are far smaller.
+    #[test]
+    fn points_are_within_their_bounds() {
+        let mut largest = [0.0_f64; 2];
+        let mut note = |place: usize, single: f32, double: f64, bound: Option<f64>| {
+            // The largest control points are 1 and -1.
+            let error = (f64::from(single) - double).abs() / f64::from(f32::EPSILON);
+            let bound = bound.expect("it is proved");
+            assert!(error <= bound, "{single} in place of {double}: {error} of {bound}");
+            largest[place] = largest[place].max(error / bound);
+        };
+        for signs in 0..8_u8 {
+            let sign = |k: usize| if signs >> k & 1 == 1 { -1.0_f32 } else { 1.0 };
+            let points: [f32; 3] = core::array::from_fn(sign);
+            let net: [f32; 6] = core::array::from_fn(|k| sign(k % 3));
+            let mu = 0.3_f32;
+            let bell = Curve::new(Bell::new(mu).expect("inside"), points);
+            let exact = Curve::new(Bell::new(f64::from(mu)).expect("inside"), points.map(f64::from));
+            let tent = SimplexPatch::new(Tent::new(mu).expect("inside"), net);
+            let exact_tent = SimplexPatch::new(Tent::new(f64::from(mu)).expect("inside"), net.map(f64::from));
+            for k in 0..=1000_u16 {
+                let t = f32::from(k) / 500.0;
+                note(0, bell.eval(t), exact.eval(f64::from(t)), Bell::<f32>::ROUNDING_POINT);
+                // Barycentric coordinates that add up to 1.
+                let [u, v] = [k % 65, (k / 8) % 65].map(|n| f32::from(n) / 128.0);
+                let double = exact_tent.eval(f64::from(u), f64::from(v));
+                note(1, tent.eval(u, v), double, Tent::<f32>::ROUNDING_POINT);
+            }
+        }
+        assert!(largest.iter().all(|found| *found > 0.1), "{largest:?}");
     }
 }

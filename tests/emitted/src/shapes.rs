@@ -31,6 +31,8 @@ const _: () = basis_runtime::generated::unchanged(
 ///
 /// Rounding errors of the values, proved to be at most: `b[0]`: 3.26 ε of the value; `b[1]`: 2.01 ε of the value; `b[2]`: 3.01 ε of the value.
 ///
+/// Rounding error of each component of a point of a curve, binding included, proved to be at most: 6.82 ε times the largest absolute value of that component of a control point.
+///
 /// # Claims
 ///
 /// Decided exactly, when this file was written.
@@ -210,6 +212,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for Bell<S> {
         basis_runtime::Rounding::Relative(2.01),
         basis_runtime::Rounding::Relative(3.01),
     ];
+    const ROUNDING_POINT: Option<f64> = Some(6.82);
     #[inline]
     fn domain() -> [S; 2] {
         [S::of(0.0), S::of(2.0)]
@@ -323,6 +326,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for Bell<S> {
 /// for `u + v + w = 1`, all ≥ 0, `0 <= κ <= 2`.
 ///
 /// Rounding errors of the values, proved to be at most: `b[0,0,2], b[0,2,0], b[2,0,0]`: 2.51 ε of the value; `b[0,1,1], b[1,0,1], b[1,1,0]`: 1.01 ε of the value.
+///
+/// Rounding error of each component of a point of a patch, binding included, proved to be at most: 4.27 ε times the largest absolute value of that component of a control point, where the barycentric coordinates add up to 1.
 ///
 /// # Claims
 ///
@@ -444,6 +449,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::SimplexBasis for Tent<S> {
         basis_runtime::Rounding::Relative(1.01),
         basis_runtime::Rounding::Relative(2.51),
     ];
+    const ROUNDING_POINT: Option<f64> = Some(4.27);
     const DEGREE: usize = 2;
     const MULTINOMIALS: &'static [f64] = &v1::multinomials::<6>(3, 2);
     const ORDER: Option<usize> = Some(2);
@@ -487,6 +493,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::TriangularBasis for Tent<S> {
 /// for `0 <= x <= 2`, `-1 <= y <= 1`.
 ///
 /// Rounding errors of the values, proved to be at most: `b[0]`: 1.01 ε of the value; `b[1]`: 2.51 ε of the value.
+///
+/// Rounding error of each component of a point of a patch, binding included, proved to be at most: 3.01 ε times the largest absolute value of that component of a control point.
 ///
 /// # Claims
 ///
@@ -575,6 +583,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::BoxBasis for Sheet<S> {
     const NAME: &'static str = "Sheet";
     const ROUNDING: &'static [basis_runtime::Rounding] =
         &[basis_runtime::Rounding::Relative(1.01), basis_runtime::Rounding::Relative(2.51)];
+    const ROUNDING_POINT: Option<f64> = Some(3.01);
     const DEGREES: &'static [usize] = &[1, 1];
     #[inline]
     fn domain() -> [[S; 2]; 2] {

@@ -19,13 +19,11 @@ pub fn value_errors(family: &Family) -> Vec<Option<(Error, Evidence)>> {
 
 /// The error of each component of a point of a curve or patch relative to the largest one of a control point, with the
 /// evidence; `None` where none is found.
-#[cfg(any(test, feature = "tools"))]
 pub fn point_error(family: &Family) -> Option<(Error, Evidence)> {
     proved(family, &point_name(family), &rounding::point(family)?)
 }
 
 /// What a point of a curve or patch is called, such as `C(t)` or `P(u, v, w)`.
-#[cfg(any(test, feature = "tools"))]
 pub fn point_name(family: &Family) -> String {
     let names = family.domain_variables().map(|p| family.name_of(p)).listed();
     format!("{}({})", if family.interval().is_some() { "C" } else { "P" }, names.join(", "))
