@@ -42,6 +42,7 @@ pub struct KnotVector<S> {
     rate: S,
 }
 
+#[allow(clippy::missing_fields_in_debug)] // the rate follows from the others
 impl<S: Debug> Debug for KnotVector<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.debug_struct("KnotVector").field("degree", &self.degree).field("knots", &self.knots).finish()

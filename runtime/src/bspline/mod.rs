@@ -17,7 +17,7 @@
 //! | surfaces of revolution | [`NurbsSurface::revolved`]; `try_from` of a [`SurfaceOfRevolution`](crate::SurfaceOfRevolution) |
 //! | the nearest point | [`BSplineSurface::nearest`], [`ParametricCurve::nearest`](crate::ParametricCurve::nearest) |
 //! | a surface through given points | [`BSplineSurface::pass_through`] |
-//! | a joint of two surfaces, whatever their knots and degrees | [`splice`], [`measure_joint`] |
+//! | a joint of two surfaces with the same tangent planes or curvatures, whatever their knots and degrees | [`splice`], [`measure_joint`] |
 //! | neighbours that follow a deformed patch | [`Network`] |
 //!
 //! All of them stand over [`KnotVector`]s, which are validated when they are made; after that nothing can fail for

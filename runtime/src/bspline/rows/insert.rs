@@ -34,6 +34,9 @@ pub(in crate::bspline) fn insert_into<P: Point>(
     inserted: &[P::Scalar],
 ) -> Result<Rows<P::Scalar, P>, KnotError> {
     let inserted = &*in_order(knots, inserted)?;
+    if let (1, &[t]) = (lanes, inserted) {
+        return insert_one(knots, points, t);
+    }
     match (lanes, knots.degree()) {
         (1, 1) => insert_points::<P, 2>(knots, points, inserted),
         (1, 2) => insert_points::<P, 3>(knots, points, inserted),
@@ -42,6 +45,33 @@ pub(in crate::bspline) fn insert_into<P: Point>(
         (1, 5) => insert_points::<P, 6>(knots, points, inserted),
         _ => insert_rows(knots, points, lanes, inserted),
     }
+}
+
+/// One knot into a curve.
+fn insert_one<P: Point>(
+    knots: &KnotVector<P::Scalar>,
+    points: &[P],
+    t: P::Scalar,
+) -> Result<Rows<P::Scalar, P>, KnotError> {
+    let (k, old) = (knots.degree(), knots.as_slice());
+    let next = old.partition_point(|&knot| knot <= t);
+    if old[next - k - 1] == t {
+        return Err(too_often(&old[..next], &[t], 0, k));
+    }
+    let mut out = Vec::with_capacity(points.len() + 1);
+    let mut done = next - k; // points before this one stay
+    out.extend_from_slice(&points[..done]);
+    while done < next && old[done] < t {
+        let alpha = (t - old[done]) / (old[done + k] - old[done]);
+        out.push(between(points[done - 1], points[done], alpha));
+        done += 1;
+    }
+    out.extend_from_slice(&points[done - 1..]);
+    let mut all = Vec::with_capacity(old.len() + 1);
+    all.extend_from_slice(&old[..next]);
+    all.push(t);
+    all.extend_from_slice(&old[next..]);
+    Ok(Rows { knots: KnotVector::trusted(k, all), points: out, lanes: 1 })
 }
 
 /// The same for the points of a curve: only the `N = k + 1` of them over the span of the next knot can still change.
@@ -73,8 +103,8 @@ fn insert_points<P: Point, const N: usize>(
             window = core::array::from_fn(|j| point(next - N + j));
         } else {
             // A few, one by one, which is faster than calls that copy.
-            for taken in before..next {
-                head.push(old[taken]);
+            for (taken, &knot) in (before..next).zip(&old[before..next]) {
+                head.push(knot);
                 out.push(window[0]);
                 for j in 1..N {
                     window[j - 1] = window[j];

@@ -30,9 +30,8 @@ impl Across {
     pub(super) fn new<P: Point3>(surface: &BSplineSurface<P>, edge: Edge) -> Option<Self> {
         let knots = surface.knots(edge.across()).to_f64();
         let (k, n, t) = (knots.degree(), knots.functions(), knots.as_slice());
-        let widths =
-            [1, 2].map(|spans| if edge.is_end() { t[n] - t[n - spans] } else { t[k + spans] - t[k] });
-        (k >= 2).then(|| Self { degree: k as f64, widths })
+        let width = |spans: usize| if edge.is_end() { t[n] - t[n - spans] } else { t[k + spans] - t[k] };
+        (k >= 2).then(|| Self { degree: k as f64, widths: [width(1), width(2)] })
     }
 
     /// The second derivative from three rows.
