@@ -1,6 +1,6 @@
 //! The claims of a run together: each has a budget of its own, but a spec may have any number of claims.
 
-use basis_prover::{spent, within};
+use basis_prover::{measured, within};
 
 use super::Verdict;
 use crate::claim::Claim;
@@ -8,6 +8,9 @@ use crate::subject::Subject;
 
 /// Units of work for all decisions of a run.
 const UNITS: u64 = 100_000_000;
+
+/// What a claim takes before there is anything to decide.
+const CLAIM: u64 = 500;
 
 /// What is kept for claims that are easy, however many hard ones stand before them.
 const RESERVE: u64 = 40_000_000;
@@ -48,6 +51,7 @@ impl Run {
                 "the claims before it have used up the work of a whole run; check it in a spec of its own",
             ));
         }
+        self.left = self.left.saturating_sub(CLAIM);
         let (budget, share) = (subject.budget(), self.share());
         let units = share.saturating_mul(u64::from(budget));
         self.counted_work(budget, &mut || within(units, &mut || super::decide(subject, claim)))
@@ -55,10 +59,9 @@ impl Run {
 
     /// Counts other work of the provers, with `budget` times the usual work.
     pub fn counted_work<T>(&mut self, budget: u32, work: &mut dyn FnMut() -> T) -> T {
-        let before = spent();
-        let result = work();
+        let (result, units) = measured(work);
         // A family with a raised budget may do more in the whole run, too.
-        self.left = self.left.saturating_sub((spent() - before) / u64::from(budget.max(1)));
+        self.left = self.left.saturating_sub(units / u64::from(budget.max(1)));
         result
     }
 }
