@@ -134,9 +134,8 @@ pub struct Sample {
 
 /// The zeros of p in an open box, searched in slices.
 ///
-/// If p had a zero, its coordinate in each variable would be in a slice, without a zero of p by a proof of its
-/// own, or be one of the irrational sections; p has no zero in small boxes around the points with only such
-/// coordinates.
+/// If p had a zero, its coordinate in each variable would be in a slice, without a zero of p by a proof of its own, or
+/// be one of the irrational sections; p has no zero in small boxes around the points with only such coordinates.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Slices {
     /// One for each variable, or a single one without irrational sections.

@@ -2,8 +2,11 @@
 
 use core::cell::Cell;
 
-use crate::algebra::work::Work;
+use crate::algebra::work::{Work, done};
 use crate::method::Method;
+
+/// What a decision takes beside the work that is counted: its statement is made, checked and kept.
+const DECISION: u64 = 1_500;
 
 /// Units of work for one decision: about a second of an unoptimised build.
 const UNITS: u64 = 5_000_000;
@@ -36,9 +39,22 @@ pub fn spent() -> u64 {
     SPENT.get()
 }
 
-/// Counts work of the kernel.
-pub(crate) fn charge(units: u64) {
+/// Counts work that has no budget of its own: that of the kernel, and what a search is prepared with.
+pub fn charge(units: u64) {
     SPENT.set(SPENT.get().saturating_add(units));
+}
+
+/// Counts a decision.
+pub(crate) fn begin() {
+    charge(DECISION);
+}
+
+/// Does work, with the units that it takes: those that are counted for it, or those that its operations have taken where these
+/// are more, as formulas are expanded before there is anything to decide.
+pub fn measured<T>(work: &mut dyn FnMut() -> T) -> (T, u64) {
+    let (counted, operations) = (spent(), done());
+    let result = work();
+    (result, (spent() - counted).max(done() - operations))
 }
 
 /// Does work whose budgets together have these units, however many decisions it consists of.

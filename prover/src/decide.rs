@@ -12,7 +12,7 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::budget::{Budget, charge, charge_refused, checking};
+use crate::budget::{Budget, begin, charge, charge_refused, checking};
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_unique;
 use crate::coordinate::Coordinate;
@@ -51,6 +51,7 @@ const EXPLICIT: u64 = 20_000_000;
 /// # Errors
 /// The statement is false, or the budget is spent.
 pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Result<Shown, Failure> {
+    begin();
     let statement = Rc::new(statement);
     if let Ok(proof) = checked(&statement, Certificate::Direct, first(budget)) {
         let method = direct(&statement);

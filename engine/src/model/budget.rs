@@ -32,7 +32,7 @@ const RUN_STEPS: u64 = 8_000_000;
 /// The most families of a run, each order counted.
 const RUN_FAMILIES: u64 = 5_000;
 /// The most claims of a run, each value of an index variable counted.
-const RUN_CLAIMS: u64 = 40_000;
+const RUN_CLAIMS: u64 = 20_000;
 /// The most work of the provers in a run for what is needed for formulas to have a meaning.
 const RUN_DECISIONS: u64 = 20_000_000;
 /// The most memory that the functions and claims of a run take, in words of eight bytes, roughly.
@@ -408,6 +408,30 @@ mod tests {
             }
         }
         assert!(found > 15, "the specs are missing");
+    }
+
+    /// What is done once for every pair of things is counted: conditions on shape values and the variables in them, claims with
+    /// different arguments of sines, denominators.
+    #[test]
+    fn work_that_grows_with_the_square_is_counted() {
+        let chain = "family F { domain 0 <= t <= 1; shape 0 <= x[i] <= x[i + 1] for i in 1..=50; b[0] = t; }";
+        let repeat = |claim: fn(usize) -> String| (1..=200).map(claim).collect::<String>();
+        let sines = repeat(|k| format!("prove sin(θ)^2 + {k}*sin({k}*θ) <= {k} + 1;"));
+        let sines = format!("family G {{ domain 0 <= θ <= pi/2; b[0] = sin(θ); {sines} }}");
+        let quotients = repeat(|k| format!("prove 1/(t + {k}) > 0;"));
+        let quotients = format!("family H {{ domain 0 <= t <= 1; b[0] = t; {quotients} }}");
+        let parts: [(&str, Part, u64, u64); 3] = [
+            (chain, |run| &run.decisions, RUN_DECISIONS, 50_000),
+            (&sines, |run| &run.steps, RUN_STEPS, 200 * 200 / 2),
+            (&quotients, |run| &run.decisions, RUN_DECISIONS, 200 * 1_500),
+        ];
+        for (spec, part, limit, least) in parts {
+            let library =
+                Library::from_source(&Disk, &crate::Prover, crate::Source::text("square.basis", spec));
+            library.items(Selected::EveryOrder);
+            let used = limit - part(library.run()).get();
+            assert!(used >= least, "{used} for {spec:.60}");
+        }
     }
 
     type Part = fn(&Run) -> &Cell<u64>;

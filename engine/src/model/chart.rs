@@ -106,6 +106,9 @@ impl Piece {
     }
 }
 
+/// The most conditions on the values of the parameters of a family, or of the scalars of a theorem.
+pub(crate) const MAX_CONDITIONS: usize = 300;
+
 /// More parts than this are not made: what they would be made for stays a premise.
 const MAX_PIECES: usize = 24;
 

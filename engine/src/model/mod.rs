@@ -34,7 +34,7 @@ mod unused;
 pub(crate) mod words;
 
 #[cfg(feature = "joins")]
-pub(crate) use expand::shapes::is_empty;
+pub(crate) use expand::shapes::parts;
 pub(crate) use family::label;
 pub use family::{Barycentric, Factor, Family, Function, Parameter};
 pub use library::{Library, Selected};

@@ -1,7 +1,7 @@
 //! The claims of a run together: each has a budget of its own, but a spec may have any number of claims.
 
 use basis_prover::collections::list::Listed;
-use basis_prover::{spent, within};
+use basis_prover::{measured, spent, within};
 
 use super::Verdict;
 use crate::claim::Claim;
@@ -9,6 +9,9 @@ use crate::subject::Subject;
 
 /// Units of work for all decisions of a run.
 const UNITS: u64 = 100_000_000;
+
+/// What a claim takes before there is anything to decide.
+const CLAIM: u64 = 500;
 
 /// What a claim may take in each round. Nineteen of twenty claims about angles and exponentials are decided in the first two, as
 /// are nearly all about polynomials; together the rounds before the last one take a third of what that may take.
@@ -43,6 +46,7 @@ impl Run {
                 "the other claims have used up the work of a whole run; check it in a spec of its own",
             )));
         }
+        self.left = self.left.saturating_sub(CLAIM);
         // A quarter of what is left, so that the claims after it have the rest.
         let quarter = core::cmp::max(self.left / 4, ROUNDS[0]);
         let budget = subject.budget();
@@ -79,10 +83,9 @@ impl Run {
 
     /// Counts other work of the provers, with `budget` times the usual work.
     pub fn counted_work<T>(&mut self, budget: u32, work: &mut dyn FnMut() -> T) -> T {
-        let before = spent();
-        let result = work();
+        let (result, units) = measured(work);
         // A family with a raised budget may do more in the whole run, too.
-        self.left = self.left.saturating_sub((spent() - before) / u64::from(budget.max(1)));
+        self.left = self.left.saturating_sub(units / u64::from(budget.max(1)));
         result
     }
 }

@@ -165,10 +165,10 @@ fn never_closed(text: &str, open: char, at: usize) -> SyntaxError {
 /// Whether what begins here is meant as a comment, as other languages have it: at the beginning of a line or behind the end
 /// of a statement, and no attribute of Rust.
 fn begins_comment(text: &str, at: usize) -> bool {
-    let line = text[..at].rfind('\n').map_or(0, |k| k + 1);
-    let before = text[line..at].trim_end();
+    // A line may be as long as the text: only blanks are gone back over.
+    let before = text[..at].trim_end_matches(|c: char| c != '\n' && c.is_whitespace());
     let attribute = text[at + 1..].starts_with(['[', '!']);
-    !attribute && (before.is_empty() || before.ends_with([';', '{', '}']))
+    !attribute && (before.is_empty() || before.ends_with(['\n', ';', '{', '}']))
 }
 
 /// Marks that are meant as quotation marks around a path.

@@ -291,7 +291,8 @@ fn definition(input: ParseStream<'_>) -> Result<NameDef> {
             syn::parenthesized!(content in input);
             while !content.is_empty() {
                 let parameter = self::name(&content)?;
-                if parameters.iter().any(|known| known.text == parameter.text) {
+                // Too many are an error of their own.
+                if parameters.iter().take(MAX_INDICES).any(|known| known.text == parameter.text) {
                     let message = format!("the argument `{}` is named twice", parameter.text);
                     return Err(error(parameter.span, message, "give every argument a name of its own"));
                 }

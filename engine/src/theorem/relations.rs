@@ -7,10 +7,10 @@ use super::draft::Elaboration;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{PolyExt as _, Var};
 use crate::algebra::range::{Range, Region};
-use crate::model::chart::{self, Constraint, Piece};
+use crate::model::chart::{Constraint, MAX_CONDITIONS, Piece};
 use crate::model::formula::numbers::range_of;
 use crate::model::formula::print::Printer;
-use crate::model::{Family, Parameter, is_empty};
+use crate::model::{Family, Parameter, parts};
 use crate::syntax::{Bounds, Comparison, Expr, ExprKind, Limit, Relation as Written};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -144,6 +144,12 @@ impl Elaboration<'_> {
             self.scope.report(error.help("multiply by it: write the condition with polynomials"));
             return None;
         };
+        if self.relations.len() == MAX_CONDITIONS {
+            let message = format!("a theorem has at most {MAX_CONDITIONS} conditions on its scalars");
+            self.scope
+                .report(self.scope.error(span, message).help("leave out those that follow from others"));
+            return None;
+        }
         let is_scalar = |v: &Var| self.scalars.iter().any(|p| p.var == *v);
         if value.variables().iter().any(|v| !is_scalar(v)) {
             let error = self.scope.error(span, "an assumption is about scalars, not about points");
@@ -199,10 +205,10 @@ impl Elaboration<'_> {
             return Some(vec![Piece::plain(region.ranges.clone())]);
         }
         let constraints = self.relations.iter().map(|(c, _)| (c.value.clone(), c.relation)).listed();
-        let pieces = chart::pieces(&region.ranges, &constraints);
-        if pieces.iter().all(|piece| is_empty(&self.scope, piece)) {
+        let (_, span) = self.relations.last()?;
+        let pieces = parts(&self.scope, &region.ranges, &constraints, *span)?;
+        if pieces.is_empty() {
             let texts = self.relations.iter().map(|(c, _)| c.text.clone()).listed();
-            let (_, span) = self.relations.last()?;
             self.impossible(*span, &texts.join(", "));
             return None;
         }

@@ -140,13 +140,12 @@ impl Form {
     /// work is spent.
     pub fn halves(&self, axis: usize, side: &Side, work: &mut Work) -> Option<(Self, Self)> {
         let (mut low, mut high) = (self.clone(), self.clone());
-        if let Side::Finite(..) = side {
-            low.along(axis, &fibre::lower_half(), work)?;
-            high.along(axis, &fibre::upper_half(), work)?;
-        } else {
-            low.along(axis, &fibre::lower_part(), work)?;
-            high.along(axis, &fibre::upper_part(), work)?;
-        }
+        let (below, above) = match side {
+            Side::Finite(..) => (fibre::lower_half(), fibre::upper_half()),
+            _ => (fibre::lower_part(), fibre::upper_part()),
+        };
+        low.along(axis, &below, work)?;
+        high.along(axis, &above, work)?;
         Some((low, high))
     }
 

@@ -7,6 +7,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 use super::fibre::{Change, Step};
 pub use super::monomial::{Monomial, Var};
 use super::rational::Rational;
+use super::work::did;
 use crate::collections::list::Mapped;
 use crate::collections::sort::sort_by;
 
@@ -37,29 +38,25 @@ fn merge(a: Vec<Term>, b: Vec<Term>) -> Vec<Term> {
 
 /// The sum or the difference of two polynomials that are kept.
 fn combined(a: &[Term], b: &[Term], minus: bool) -> Vec<Term> {
+    did(5 + 2 * (a.len() + b.len()));
     let of_b = |(m, c): &Term| (m.clone(), if minus { -c } else { c.clone() });
     let mut sum = Vec::with_capacity(a.len() + b.len());
     let (mut i, mut j) = (0, 0);
     while i < a.len() && j < b.len() {
         let ((m, c), (n, d)) = (&a[i], &b[j]);
-        match m.cmp(n) {
-            Ordering::Less => {
-                sum.push((m.clone(), c.clone()));
-                i += 1;
-            }
-            Ordering::Greater => {
-                sum.push(of_b(&b[j]));
-                j += 1;
-            }
+        let order = m.cmp(n);
+        match order {
+            Ordering::Less => sum.push((m.clone(), c.clone())),
+            Ordering::Greater => sum.push(of_b(&b[j])),
             Ordering::Equal => {
                 let value = if minus { c - d } else { c + d };
                 if !value.is_zero() {
                     sum.push((m.clone(), value));
                 }
-                i += 1;
-                j += 1;
             }
         }
+        i += usize::from(order.is_le());
+        j += usize::from(order.is_ge());
     }
     sum.extend_from_slice(&a[i..]);
     sum.extend(b[j..].iter().map(of_b));
@@ -131,6 +128,7 @@ impl Poly {
         // Terms often come in order, or in a few ordered runs.
         let mut runs: Vec<Vec<Term>> = vec![Vec::new()];
         for term in terms {
+            did(4);
             if term.1.is_zero() {
                 continue;
             }
@@ -194,11 +192,7 @@ impl Poly {
 
     /// The highest sum of exponents; 0 for the zero polynomial.
     pub fn total_degree(&self) -> u32 {
-        let mut degree = 0;
-        for (m, _) in &self.terms {
-            degree = m.total_degree().max(degree);
-        }
-        degree
+        self.terms.iter().map(|(m, _)| m.total_degree()).max().unwrap_or(0)
     }
 
     /// The variables that occur, in increasing order.
@@ -212,12 +206,7 @@ impl Poly {
 
     /// Whether a variable occurs.
     pub fn depends_on(&self, var: Var) -> bool {
-        for (m, _) in &self.terms {
-            if m.exponent(var) > 0 {
-                return true;
-            }
-        }
-        false
+        self.terms.iter().any(|(m, _)| m.exponent(var) > 0)
     }
 
     /// The size of the largest coefficient in bits: the work that arithmetic costs.
@@ -234,7 +223,7 @@ impl Poly {
         if factor.is_zero() {
             return Self::zero();
         }
-        Self { terms: self.terms.mapped(|(m, c)| (m.clone(), c * factor)) }
+        Self { terms: self.times(&Monomial::one(), factor) }
     }
 
     /// The power with a whole exponent.
@@ -279,8 +268,7 @@ impl Poly {
         Self::from_terms(self.terms.iter().map(|(m, c)| {
             let e = usize::from(m.exponent(var));
             while powers.len() <= e {
-                let next = &powers[powers.len() - 1] * value;
-                powers.push(next);
+                powers.push(&powers[powers.len() - 1] * value);
             }
             if e == 0 { (m.clone(), c.clone()) } else { (m.with_exponent(var, 0), c * &powers[e]) }
         }))
@@ -412,11 +400,11 @@ impl Poly {
 
     /// The terms of the polynomial times a term.
     fn times(&self, monomial: &Monomial, coefficient: &Rational) -> Vec<Term> {
+        did(5 + 3 * self.len());
         self.terms.mapped(|(m, c)| (m.mul(monomial), c * coefficient))
     }
 
-    /// The positive number by which all coefficients can be divided to become whole without a common
-    /// factor; 0 for the zero polynomial.
+    /// The positive number by which all coefficients can be divided to become whole without a common factor; 0 for 0.
     pub fn numeric_content(&self) -> Rational {
         self.terms.iter().fold(Rational::ZERO, |g, (_, c)| g.gcd(c))
     }
@@ -481,13 +469,7 @@ impl fmt::Display for DisplayPoly<'_> {
             return write!(f, "0");
         }
         for (k, (m, c)) in terms.into_iter().enumerate() {
-            let sign = match (k, c.is_negative()) {
-                (0, false) => "",
-                (0, true) => "-",
-                (_, false) => " + ",
-                (_, true) => " - ",
-            };
-            write!(f, "{sign}")?;
+            let sign = [["", "-"], [" + ", " - "]][k.min(1)][usize::from(c.is_negative())];
             let mut factors = Vec::new();
             let magnitude = c.abs();
             if !magnitude.is_one() || m.is_one() {
@@ -497,7 +479,7 @@ impl fmt::Display for DisplayPoly<'_> {
                 let name = self.names.get(i).map_or_else(|| format!("x{i}"), Clone::clone);
                 factors.push(if *e == 1 { name } else { format!("{name}^{e}") });
             }
-            write!(f, "{}", factors.join("*"))?;
+            write!(f, "{sign}{}", factors.join("*"))?;
         }
         Ok(())
     }

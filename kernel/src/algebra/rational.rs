@@ -12,6 +12,8 @@ use num_bigint::{BigInt, Sign};
 use num_integer::Integer as _;
 use num_traits::{One as _, Signed as _, ToPrimitive as _};
 
+use super::work::did;
+
 /// An exact fraction in lowest terms with a positive denominator.
 #[derive(PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
@@ -269,6 +271,7 @@ fn euclid(a: &BigInt, b: &BigInt) -> BigInt {
     if twos + 1 == b.bits() {
         return BigInt::from(1) << twos.min(a.trailing_zeros().unwrap_or(twos));
     }
+    did(12 + a.bits() as usize / 64 + (b.bits() as usize / 32).pow(2));
     let rest = a % b;
     match (rest.magnitude().to_u128(), b.magnitude().to_u128()) {
         (Some(a), Some(b)) => BigInt::from(gcd(a, b)),

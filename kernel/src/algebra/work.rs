@@ -1,7 +1,23 @@
 //! Counts the work of a computation, so that it ends on every input at the same point on every machine.
 
+use core::cell::Cell;
+
 use super::poly::{Poly, Var};
 use super::rational::Rational;
+
+std::thread_local! {
+    static DONE: Cell<u64> = const { Cell::new(0) };
+}
+
+/// The units that polynomials and long numbers have taken on this thread, roughly, counted in advance or not.
+pub fn done() -> u64 {
+    DONE.get()
+}
+
+/// Notes an operation.
+pub(super) fn did(units: usize) {
+    DONE.set(DONE.get().saturating_add(units as u64));
+}
 
 /// Work that may still be done, in units of about one product of two numbers of a machine word.
 #[derive(Clone, Debug)]
@@ -10,8 +26,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// The work that checking one proof may take, for a spec that allows `factor` times the usual budget: many times
-    /// what a search may spend to find one.
+    /// The work that checking one proof may take, with `factor` times the usual budget: many times that of a search.
     pub fn usual(factor: u32) -> Self {
         Self::new(200_000_000_u64.saturating_mul(u64::from(factor)))
     }

@@ -62,10 +62,11 @@ pub(crate) fn are_independent(rows: &[Vec<Rational>], work: &mut Work) -> Option
     let mut whole = Vec::new();
     for row in rows {
         // The row times a number is whole, without a common factor.
+        let bits = row.iter().map(Rational::bits).max().unwrap_or(0);
+        work.spend(row.len() as u64 * (8 + bits / 8 + bits * bits / 1024))?;
         let content = row.iter().fold(Rational::ZERO, |g, x| g.gcd(x));
-        work.spend_fractions(content.bits() + row.iter().map(Rational::bits).max().unwrap_or(0))?;
         let Some(factor) = content.recip() else { return Some(false) };
-        work.spend(row.len() as u64 * (1 + factor.bits() * factor.bits() / 4096))?;
+        work.spend(row.len() as u64 * (4 + factor.bits() * factor.bits() / 4096))?;
         whole.push(row.mapped(|x| x * &factor));
     }
     for p in PRIMES {

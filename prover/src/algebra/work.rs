@@ -1,6 +1,6 @@
 //! The kernel's counter of work, and the error of a search that runs out of it.
 
-pub use basis_kernel::algebra::work::Work;
+pub use basis_kernel::algebra::work::{Work, done};
 
 /// No work is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -63,7 +63,7 @@ impl Problem {
     /// Counts the work of the value at a point whose coordinates have `bits` bits each.
     pub(crate) fn spend_value(&self, bits: u64, work: &mut Work) -> Option<()> {
         let words = 1 + (self.poly.max_bits() + u64::from(self.poly.total_degree()) * bits) / 64;
-        work.spend(self.poly.len() as u64 * (1 + self.ranges.len() as u64) * 2 * words)
+        work.spend(20 + self.poly.len() as u64 * (1 + self.ranges.len() as u64) * 5 * words)
     }
 
     /// Adds simple coordinates for the variables that a point lacks.

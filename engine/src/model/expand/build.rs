@@ -9,6 +9,7 @@ use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostics, Place};
 use crate::model::angle::Anew;
+use crate::model::budget::SPLIT;
 use crate::model::formula::numbers::budget_value;
 use crate::model::scope::{Scope, Stage};
 use crate::model::{Family, Function, Library};
@@ -49,6 +50,9 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         }
     }
     set_known_factors(Vec::new());
+    // All statements are looked through, for each span again.
+    let statements = written.statements.len() as u64 / 2;
+    scope.within(scope.budget.step(statements), written.name.span, SPLIT)?;
     let (shapes, domain) = if let Some(place) = occurs::first(written) {
         match angles::declare(scope, written, place) {
             Some((shapes, domain)) => {

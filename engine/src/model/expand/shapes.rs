@@ -12,7 +12,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
-use crate::model::chart::{self, Constraint, Piece};
+use crate::model::budget::SPLIT;
+use crate::model::chart::{self, Constraint, MAX_CONDITIONS, Piece};
 use crate::model::formula::numbers::checked_range;
 use crate::model::formula::print::Printer;
 use crate::model::obligation::Goal;
@@ -75,10 +76,11 @@ pub(super) fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
 pub(super) fn has_values(scope: &mut Scope<'_>, shapes: &Shapes, span: Span) -> bool {
     let ranges = shapes.parameters.mapped(|p| (p.var, p.range.clone()));
     let constraints = shapes.constraints.mapped(|c| (c.value.clone(), c.relation));
-    let pieces = chart::pieces(&ranges, &constraints);
     let fixed = core::mem::take(&mut scope.impossible);
-    if fixed.is_none() && !pieces.iter().all(|piece| is_empty(scope, piece)) {
-        return true;
+    match parts(scope, &ranges, &constraints, span) {
+        None => return false,
+        Some(pieces) if fixed.is_none() && !pieces.is_empty() => return true,
+        Some(_) => {}
     }
     let texts = chart::texts(&shapes.constraints);
     let error = scope.error(fixed.unwrap_or(span), "no shape values satisfy all that is assumed");
@@ -287,6 +289,11 @@ fn constrain(
     span: Span,
     shapes: &mut Shapes,
 ) -> Option<()> {
+    if shapes.constraints.len() == MAX_CONDITIONS {
+        let message = format!("a family has at most {MAX_CONDITIONS} conditions on its shape values");
+        scope.report(scope.error(span, message).help("leave out those that follow from others"));
+        return None;
+    }
     let Some(value) = value.as_poly() else {
         let error = scope.error(span, "a denominator contains a parameter in a condition on shape values");
         scope.report(error.help("multiply by it: write the condition with polynomials"));
@@ -568,8 +575,25 @@ fn determine(
     Some(())
 }
 
+/// The values that satisfy conditions, in parts; none if it is known that there are no such values. `None` when that takes
+/// too much work, which is reported.
+pub(crate) fn parts(
+    scope: &Scope<'_>,
+    ranges: &[(Var, Range)],
+    constraints: &[(Poly, Relation)],
+    span: Span,
+) -> Option<Vec<Piece>> {
+    let (pieces, units) = basis_prover::measured(&mut || {
+        let pieces = chart::pieces(ranges, constraints);
+        if pieces.iter().all(|piece| is_empty(scope, piece)) { Vec::new() } else { pieces }
+    });
+    // Each variable that is eliminated is looked for in all conditions.
+    let units = units + 20 * (ranges.len() * constraints.len()) as u64;
+    scope.within(scope.budget.run().decision(units), span, SPLIT).map(|()| pieces)
+}
+
 /// Whether it is known that a part of the values has no points: one of its premises is false everywhere.
-pub(crate) fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
+fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
     let domain =
         Rc::new(basis_kernel::Domain::of(crate::algebra::range::Region { ranges: piece.ranges.clone() }));
     piece.premises.iter().any(|(p, relation)| {

@@ -66,23 +66,24 @@ impl Scope<'_> {
             if self.budget.run().is_stopped() {
                 return false;
             }
-            let (before, at) = (basis_prover::spent(), place.clone());
+            let at = place.clone();
+            // What is known is looked through first.
+            let known = (self.settled.len() + self.obligations.len()) as u64 / 4;
             let whole_domain = match &duty {
                 Duty::Nonzero(p) => self.is_over_domain(&Fraction::from(p.clone())),
                 Duty::Inside(inside) => self.is_over_domain(&inside.value),
                 Duty::Holds(condition) => self.is_over_domain(&condition.value),
             };
-            let mut error = None;
-            for part in if whole_domain { &whole } else { &shapes } {
-                let place = place.clone();
-                error = error.or_else(|| match &duty {
+            let parts = if whole_domain { &whole } else { &shapes };
+            let (error, units) = basis_prover::measured(&mut || {
+                parts.iter().find_map(|part| match &duty {
                     Duty::Nonzero(divisor) => self.decide_divisor(divisor, &place, part, budget),
-                    Duty::Inside(inside) => self.check_inside(inside, place, part, budget),
-                    Duty::Holds(condition) => self.check_condition(condition, place, part, budget),
-                });
-            }
-            let spent = (basis_prover::spent() - before) / u64::from(budget.max(1));
-            if let Err(TooLarge::Run(message)) = self.budget.run().decision(spent) {
+                    Duty::Inside(inside) => self.check_inside(inside, place.clone(), part, budget),
+                    Duty::Holds(condition) => self.check_condition(condition, place.clone(), part, budget),
+                })
+            });
+            let units = known + units / u64::from(budget.max(1));
+            if let Err(TooLarge::Run(message)) = self.budget.run().decision(units) {
                 self.report(Diagnostic::error(at, message).help(SPLIT));
                 return false;
             }

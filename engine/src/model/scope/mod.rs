@@ -184,6 +184,12 @@ pub(crate) struct Scope<'a> {
     pub(crate) diagnostics: RefCell<Diagnostics>,
 }
 
+/// The indices in a name such as `λ[1,2]`, if it is of this list.
+fn index_in(known: &str, list: &str) -> Option<Vec<i64>> {
+    let inner = known.strip_prefix(list)?.strip_prefix('[')?.strip_suffix(']')?;
+    inner.split(',').map(|i| i.parse().ok()).collect()
+}
+
 impl Scope<'_> {
     pub(crate) fn place(&self, span: Span) -> Place {
         self.library.place(self.source, span)
@@ -223,15 +229,14 @@ impl Scope<'_> {
 
     /// Whether a name stands for shape parameters with an index, such as `λ` for `λ[1]`, `λ[2]`.
     pub(crate) fn is_list_of_shapes(&self, name: &str) -> bool {
-        self.subject == Subject::Family && !self.shapes_of(name).is_empty()
+        // Asked of every name with an index.
+        let mut names = self.names.iter().chain(self.determined.iter().map(|(n, _)| n));
+        self.subject == Subject::Family && names.any(|known| index_in(known, name).is_some())
     }
 
     /// The shape parameters with an index that have a name, with their indices; also those that `assume` determines.
     pub(crate) fn shapes_of(&self, name: &str) -> Vec<(Vec<i64>, Fraction)> {
-        let index = |n: &str| -> Option<Vec<i64>> {
-            let inner = n.strip_prefix(name)?.strip_prefix('[')?.strip_suffix(']')?;
-            inner.split(',').map(|i| i.parse().ok()).collect()
-        };
+        let index = |n: &str| index_in(n, name);
         let variables = self.names.iter().enumerate().map(|(k, n)| (n, Fraction::var(Var(k))));
         let determined = self.determined.iter().map(|(n, value)| (n, value.clone()));
         let mut all: Vec<(Vec<i64>, Fraction)> =

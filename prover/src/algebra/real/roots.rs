@@ -107,7 +107,7 @@ fn half(x: &Rational) -> Rational {
 fn spend_value(p: &Univariate, x: &Rational, work: &mut Work) -> Option<()> {
     let n = p.degree() as u64;
     work.spend_fractions(x.bits())?;
-    work.spend(2 * n * weight(p.max_bits() + n * x.bits()))?;
+    work.spend(10 + 2 * n * weight(p.max_bits() + n * x.bits()))?;
     p.spend_sign(x, work)
 }
 
@@ -210,7 +210,7 @@ pub fn bound(p: &Univariate) -> Rational {
 /// The work of a sum of numbers of this length in bits, compared with one of machine words: longer ones take memory, and common
 /// divisors.
 const fn weight(bits: u64) -> u64 {
-    if bits <= 128 { 1 + bits / 64 } else { 6 + bits / 32 }
+    if bits < 64 { 1 } else { 6 + bits / 32 }
 }
 
 /// The polynomial with whole coefficients without common factor.
@@ -224,7 +224,7 @@ fn primitive(p: &Univariate, work: &mut Work) -> Option<Univariate> {
 /// The Bernstein form on an interval, without the binomial coefficients.
 fn on_interval(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work) -> Option<Vec<Rational>> {
     let n = p.degree() as u64;
-    work.spend(2 * n * n * weight(p.max_bits() + n * (low.bits() + high.bits())) + 10)?;
+    work.spend(2 * n * n * weight(p.max_bits() + n * (low.bits() + high.bits())) + 50)?;
     let mut form = p.coefficients().to_vec();
     fibre::apply(&fibre::on_interval(low, high), &mut form);
     Some(form)
@@ -234,7 +234,7 @@ fn on_interval(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work)
 fn halves(form: &[Rational], work: &mut Work) -> Option<(Vec<Rational>, Vec<Rational>)> {
     let n = form.len() as u64;
     let bits = form.iter().map(Rational::bits).max().unwrap_or(0);
-    work.spend(n * n * weight(bits) + 10)?;
+    work.spend(n * n * weight(bits) + 50)?;
     let (mut left, mut right) = (form.to_vec(), form.to_vec());
     fibre::apply(&fibre::lower_half(), &mut left);
     fibre::apply(&fibre::upper_half(), &mut right);

@@ -10,6 +10,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Anew, Kind};
+use crate::model::budget::SPLIT;
 use crate::model::formula::phase::{Linear, frequency, special};
 use crate::model::scope::{Argument, Recorded, Scope, Stage};
 use crate::model::words::{CIRCULAR, PI};
@@ -105,33 +106,42 @@ pub(super) fn survey<'a>(
         }
     }
     let variables = Variables { names, shapes, pi: probe.analytic.pi };
-    let all: BTreeSet<usize> = seen
-        .arguments
-        .iter()
-        .map(|(by, _)| *by)
-        .chain(seen.places.iter().map(|(by, ..)| *by))
-        .flatten()
-        .collect();
+    let all = (0..seen.claims.len()).listed();
     if scope.anew != Anew::default() {
         return (seen.uses(&all, &variables), Vec::new());
     }
-    // Of a variable that is an angle in claims alone those are together that come first.
-    let (mut together, mut apart): (BTreeSet<usize>, Vec<usize>) = (BTreeSet::new(), Vec::new());
-    for number in all {
-        let with =
-            |more: Option<usize>| seen.uses(&together.iter().copied().chain(more).collect(), &variables);
-        if with(Some(number)).are_finer(&with(None)) {
-            apart.push(number);
+    // The uses in several claims, which are counted: there may be any number of claims.
+    let count = |parts: usize| scope.within(scope.budget.step(parts as u64), written.name.span, SPLIT);
+    let uses = |claims: &[usize]| {
+        let uses = seen.uses(claims, &variables);
+        count(1 + claims.iter().map(|k| seen.claims[*k].1.len()).sum::<usize>()).map(|()| uses)
+    };
+    // Of a variable that is an angle in claims alone those are together that come first. A claim with the same arguments as
+    // another one needs nothing more.
+    let (mut together, mut apart): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
+    let mut known = uses(&together).unwrap_or_default();
+    for k in all {
+        let content = &seen.claims[k].1;
+        if together.iter().any(|known| seen.claims[*known].1 == *content) {
+            continue;
+        }
+        if count(together.len() / 4).is_none() {
+            break;
+        }
+        together.push(k);
+        let Some(with) = uses(&together) else { break };
+        if with.are_finer(&known) {
+            together.pop();
+            apart.push(k);
         } else {
-            together.insert(number);
+            known = with;
         }
     }
     let mut groups: Vec<(Uses, BTreeSet<usize>)> = Vec::new();
-    for number in apart {
-        let with = |more: &[usize]| {
-            seen.uses(&more.iter().copied().chain(together.iter().copied()).collect(), &variables)
-        };
-        let own = with(&[number]);
+    for k in apart {
+        let number = seen.claims[k].0;
+        let with = together.iter().copied().chain([k]).listed();
+        let Some(own) = uses(&with).filter(|_| count(4 * groups.len()).is_some()) else { break };
         // A mistaken claim has a message of its own.
         let alike = |known: &Uses| !own.are_mistaken() && !own.are_finer(known) && !known.are_finer(&own);
         match groups.iter_mut().find(|(known, _)| alike(known)) {
@@ -141,15 +151,42 @@ pub(super) fn survey<'a>(
             None => groups.push((own, BTreeSet::from([number]))),
         }
     }
-    (seen.uses(&together, &variables), groups.into_iter().map(|(_, group)| group).listed())
+    (known, groups.into_iter().map(|(_, group)| group).listed())
 }
 
-/// What the functions and the claims of a family contain, with the statement of a claim.
+/// What the functions and the claims of a family contain, these with the number of their statement.
 #[derive(Default)]
 struct Seen {
-    arguments: Vec<(Option<usize>, Argument)>,
-    places: Vec<(Option<usize>, Var, Fraction)>,
+    functions: Content,
+    claims: Vec<(usize, Content)>,
     beside: Vec<Var>,
+}
+
+/// Arguments of sines and exponentials, and values that angles are given.
+#[derive(Default)]
+struct Content {
+    arguments: Vec<Argument>,
+    places: Vec<(Var, Fraction)>,
+}
+
+impl Content {
+    const fn len(&self) -> usize {
+        self.arguments.len() + self.places.len()
+    }
+
+    fn extend(&mut self, more: Self) {
+        self.arguments.extend(more.arguments);
+        self.places.extend(more.places);
+    }
+}
+
+impl PartialEq for Content {
+    fn eq(&self, other: &Self) -> bool {
+        let alike = |(a, b): (&Argument, &Argument)| a.name == b.name && a.value == b.value;
+        self.arguments.len() == other.arguments.len()
+            && self.arguments.iter().zip(&other.arguments).all(alike)
+            && self.places == other.places
+    }
 }
 
 /// The variables of a family: its shape parameters, those of its domain, and π.
@@ -160,11 +197,19 @@ struct Variables<'n> {
 }
 
 impl Seen {
-    /// The uses in the functions, and in the claims of some statements.
-    fn uses(&self, claims: &BTreeSet<usize>, Variables { names, shapes, pi }: &Variables<'_>) -> Uses {
+    /// Notes what a claim contains, further spans included.
+    fn add(&mut self, number: usize, content: Content) {
+        match self.claims.binary_search_by(|(known, _)| known.cmp(&number)) {
+            Ok(place) => self.claims[place].1.extend(content),
+            Err(place) => self.claims.insert(place, (number, content)),
+        }
+    }
+
+    /// The uses in the functions, and in some of the claims.
+    fn uses(&self, claims: &[usize], Variables { names, shapes, pi }: &Variables<'_>) -> Uses {
         let mut uses = Uses { beside: self.beside.clone(), ..Uses::default() };
-        let wanted = |by: &Option<usize>| by.is_none_or(|number| claims.contains(&number));
-        for (_, Argument { name, value, span }) in self.arguments.iter().filter(|(by, _)| wanted(by)) {
+        let contents = || core::iter::once(&self.functions).chain(claims.iter().map(|k| &self.claims[*k].1));
+        for Argument { name, value, span } in contents().flat_map(|content| &content.arguments) {
             let span = *span;
             let Some(linear) = Linear::of(value, *pi) else {
                 let pair = frequency(value, |v| v.0 < *shapes, |v| (*shapes..names.len()).contains(&v.0));
@@ -190,7 +235,7 @@ impl Seen {
                 uses.turns.push(&linear.pi * &Rational::new(1, 2));
             }
         }
-        for (_, var, value) in self.places.iter().filter(|(by, ..)| wanted(by)) {
+        for (var, value) in contents().flat_map(|content| &content.places) {
             let Some(of) = uses.of(*var).cloned() else { continue };
             let Some(linear) = Linear::of(value, *pi) else { continue };
             // In the middle of the domain, at t = α/2, the angle of α is half of that of t.
@@ -239,16 +284,16 @@ fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, seen: &m
     names::plan(probe, written);
     functions::define(probe, written);
     probe.stage = Stage::Complete;
-    let take = |probe: &mut Scope<'a>, by: Option<usize>, seen: &mut Seen| {
+    let take = |probe: &mut Scope<'a>| {
         let recorded = probe.recorded.replace(Recorded::default()).unwrap_or_default();
-        seen.arguments.extend(recorded.arguments.into_iter().map(|argument| (by, argument)));
-        seen.places.extend(recorded.places.into_iter().map(|(var, value)| (by, var, value)));
+        Content { arguments: recorded.arguments, places: recorded.places }
     };
-    take(probe, None, seen);
+    seen.functions.extend(take(probe));
     for (number, statement) in written.statements.iter().enumerate() {
         let StatementKind::Claim(claim) = &statement.kind else { continue };
         let Anew { given, statements } = &probe.anew;
         let is_about = |number| statements.is_empty() || statements.contains(&number);
+        let mut content = Content::default();
         match &claim.kind {
             ClaimKind::Relation(relation) if given.is_empty() && is_about(number) => {
                 probe_relation(probe, relation);
@@ -256,7 +301,7 @@ fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, seen: &m
             ClaimKind::At(bindings, relations) if is_about(number) && is_about_given(probe, bindings) => {
                 for Binding { name, value, .. } in bindings {
                     let place = probe.variable(&name.text).zip(probe.scalar(value));
-                    seen.places.extend(place.map(|(var, value)| (Some(number), var, value)));
+                    content.places.extend(place);
                 }
                 for relation in relations {
                     probe_relation(probe, relation);
@@ -264,7 +309,10 @@ fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, seen: &m
             }
             _ => {}
         }
-        take(probe, Some(number), seen);
+        content.extend(take(probe));
+        if content.len() > 0 {
+            seen.add(number, content);
+        }
     }
 }
 

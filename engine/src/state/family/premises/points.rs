@@ -56,6 +56,7 @@ pub(super) fn values(numer: &Poly, denom: &Poly, points: &[Vec<Rational>]) -> Op
     if numer.len() + denom.len() > MAX_TERMS {
         return None;
     }
+    basis_prover::charge(8 * points.len() as u64);
     let (above, below) = (on_grid(numer, points), on_grid(denom, points));
     Some(above.into_iter().zip(&below).map(|(above, below)| above.checked_div(below)).listed())
 }
@@ -108,6 +109,7 @@ pub(super) fn sample(value: &Quotient, domain: &Domain) -> Option<Vec<Vec<Ration
             }
         }
         points = next;
+        basis_prover::charge((points.len() * (8 + width)) as u64);
         if points.len() > MAX_POINTS {
             return None;
         }
