@@ -1,7 +1,9 @@
 //! The map from the domain of a rational family to the unit interval.
 
+use super::slices::TILE;
 use crate::Scalar;
 use crate::domain::{from_unit, unit};
+use crate::elementary::{decay, sine};
 
 /// The map from a domain `lo <= t <= hi` to the parameter `0 <= x <= 1` in which the functions of a
 /// [`RationalBasis`](crate::RationalBasis) are quotients of polynomials.
@@ -171,7 +173,7 @@ impl<S: Scalar> Chart<S> {
     #[inline]
     pub fn coordinates(&self, t: S) -> [S; 2] {
         let turn = match self.kind {
-            Kind::Affine if self.tails == [S::ZERO; 2] => return unit(self.domain, t),
+            Kind::Affine if self.tails == [S::ZERO; 2] => return complementary(unit(self.domain, t)),
             Kind::Affine => {
                 // An end is what its float stands for.
                 let [lo, hi] = self.domain;
@@ -181,7 +183,10 @@ impl<S: Scalar> Chart<S> {
                     if t == hi { S::ZERO } else { before / width },
                     if t == lo { S::ZERO } else { after / width },
                 ];
-                return [if t == lo { S::ONE } else { ends[0] }, if t == hi { S::ONE } else { ends[1] }];
+                return complementary([
+                    if t == lo { S::ONE } else { ends[0] },
+                    if t == hi { S::ONE } else { ends[1] },
+                ]);
             }
             Kind::Circular(turn) | Kind::Hyperbolic(turn) => turn,
         };
@@ -199,6 +204,43 @@ impl<S: Scalar> Chart<S> {
         let two = S::of(2.0);
         let [a, b] = [after, before].map(|x| (-(two * x)).exp_m1());
         [-b * falling(after) * first, -a * second]
+    }
+
+    /// The [`coordinates`](Self::coordinates) of parameters inside of the domain, by vector instructions, within 2 ε of them;
+    /// at an end some number in place of 0 or 1.
+    #[inline(always)]
+    #[allow(clippy::inline_always)] // it is compiled for the instructions of the caller
+    pub(super) fn coordinates_into<const FUSED: bool>(
+        &self,
+        ts: &[S; TILE],
+        s: &mut [S; TILE],
+        x: &mut [S; TILE],
+    ) {
+        let [lo, hi] = self.domain;
+        let [after, before] = self.tails;
+        match self.kind {
+            Kind::Affine => {
+                let width = (hi - lo) + (before - after);
+                for i in 0..TILE {
+                    let both = [((hi - ts[i]) + before) / width, ((ts[i] - lo) - after) / width];
+                    [s[i], x[i]] = complementary(both);
+                }
+            }
+            Kind::Circular(Turn { rate, factors: [first, second], .. }) => {
+                for i in 0..TILE {
+                    s[i] = sine::<FUSED, S>(rate * ((hi - ts[i]) + before)) * first;
+                    x[i] = sine::<FUSED, S>(rate * ((ts[i] - lo) - after)) * second;
+                }
+            }
+            Kind::Hyperbolic(Turn { rate, factors: [first, second], .. }) => {
+                for i in 0..TILE {
+                    let [less, falls] = decay::<FUSED, S>(rate * ((ts[i] - lo) - after));
+                    let [beyond, _] = decay::<FUSED, S>(rate * ((hi - ts[i]) + before));
+                    s[i] = -beyond * falls * first;
+                    x[i] = -less * second;
+                }
+            }
+        }
     }
 
     /// The place `0 <= x <= 1` of `t`.
@@ -290,6 +332,15 @@ impl<S: Scalar> Chart<S> {
             series[k] = sum / S::from_usize(k);
         }
     }
+}
+
+/// The larger of two numbers, whose sum is about 1, again from the smaller one.
+///
+/// The errors of both would come in as often as the degree of a polynomial in them says; that of `1 - x` is half as large, and
+/// where it stands beside `x` most of the error is one of the parameter.
+#[inline]
+fn complementary<S: Scalar>([s, x]: [S; 2]) -> [S; 2] {
+    if x < s { [S::ONE - x, x] } else { [s, S::ONE - s] }
 }
 
 /// `exp(-2x)`, with a small relative error.
