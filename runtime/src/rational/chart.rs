@@ -173,7 +173,7 @@ impl<S: Scalar> Chart<S> {
     #[inline]
     pub fn coordinates(&self, t: S) -> [S; 2] {
         let turn = match self.kind {
-            Kind::Affine if self.tails == [S::ZERO; 2] => return complementary(unit(self.domain, t)),
+            Kind::Affine if self.tails == [S::ZERO; 2] => return unit(self.domain, t),
             Kind::Affine => {
                 // An end is what its float stands for.
                 let [lo, hi] = self.domain;
@@ -183,10 +183,7 @@ impl<S: Scalar> Chart<S> {
                     if t == hi { S::ZERO } else { before / width },
                     if t == lo { S::ZERO } else { after / width },
                 ];
-                return complementary([
-                    if t == lo { S::ONE } else { ends[0] },
-                    if t == hi { S::ONE } else { ends[1] },
-                ]);
+                return [if t == lo { S::ONE } else { ends[0] }, if t == hi { S::ONE } else { ends[1] }];
             }
             Kind::Circular(turn) | Kind::Hyperbolic(turn) => turn,
         };
@@ -222,8 +219,8 @@ impl<S: Scalar> Chart<S> {
             Kind::Affine => {
                 let width = (hi - lo) + (before - after);
                 for i in 0..TILE {
-                    let both = [((hi - ts[i]) + before) / width, ((ts[i] - lo) - after) / width];
-                    [s[i], x[i]] = complementary(both);
+                    s[i] = ((hi - ts[i]) + before) / width;
+                    x[i] = ((ts[i] - lo) - after) / width;
                 }
             }
             Kind::Circular(Turn { rate, factors: [first, second], .. }) => {
@@ -332,15 +329,6 @@ impl<S: Scalar> Chart<S> {
             series[k] = sum / S::from_usize(k);
         }
     }
-}
-
-/// The larger of two numbers, whose sum is about 1, again from the smaller one.
-///
-/// The errors of both would come in as often as the degree of a polynomial in them says; that of `1 - x` is half as large, and
-/// where it stands beside `x` most of the error is one of the parameter.
-#[inline]
-fn complementary<S: Scalar>([s, x]: [S; 2]) -> [S; 2] {
-    if x < s { [S::ONE - x, x] } else { [s, S::ONE - s] }
 }
 
 /// `exp(-2x)`, with a small relative error.
