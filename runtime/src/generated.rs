@@ -3,11 +3,12 @@
 //! Such a file has the code that [`basis!`](crate::basis!) would make, without the macro: a crate that holds one builds
 //! no engine. `basis emit --check` says whether it is what the spec gives now.
 
-/// The functions that the code calls. This version stays as it is; code of a later one may call others.
+/// The functions that the code calls. None of them goes or changes; code of a later version may call others.
 pub mod v1 {
     pub use crate::__private::{
-        bernstein, box_sum, check_end, check_point, check_shape, combine, cut_off, end_points, multinomials,
-        powers, raise_weights, simplex_sum, table, tan, tan_complement, tanh, tanh_complement, unit,
+        affine_bernstein, bernstein, box_sum, check_end, check_point, check_shape, combine, cut_off,
+        end_points, multinomials, powers, raise_weights, simplex_sum, table, tan, tan_complement, tanh,
+        tanh_complement, unit,
     };
 }
 

@@ -195,6 +195,7 @@ pub mod bspline;
 mod convert;
 mod curve;
 mod domain;
+mod elementary;
 #[cfg(feature = "elements")]
 mod elements;
 mod error;

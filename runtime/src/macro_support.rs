@@ -11,7 +11,7 @@ use crate::binomial::binomials;
 pub use crate::boxes::box_sum;
 use crate::curve::{End, eliminate};
 pub use crate::domain::unit;
-use crate::form::nested;
+use crate::form::{affine_nested, nested};
 #[cfg(feature = "serde")]
 pub use crate::serialize::{read_shape, shape_error, write_shape};
 use crate::simplex::SimplexIndex;
@@ -100,6 +100,15 @@ pub fn combine<P: Point, const N: usize>(points: &[P; N], weights: [P::Scalar; N
 #[inline]
 pub fn bernstein<P: Point, const M: usize>(coefficients: [P; M], s: P::Scalar, x: P::Scalar) -> P {
     nested(&coefficients, &const { binomials::<M>() }, s, x)
+}
+
+/// [`bernstein`] for coordinates with the sum 1, with a third of its error: only the smaller one is used.
+///
+/// With `s`, `x` and all coefficients nonnegative no step that counts is negative: in `sum + (c - sum x)` the product is at
+/// most half of the sum.
+#[inline]
+pub fn affine_bernstein<P: Point, const M: usize>(coefficients: [P; M], s: P::Scalar, x: P::Scalar) -> P {
+    affine_nested(&coefficients, &const { binomials::<M>() }, s, x)
 }
 
 /// `x`, or 0 if it is negative; NaN stays NaN.

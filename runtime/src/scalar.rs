@@ -99,9 +99,85 @@ pub trait Scalar:
 }
 
 mod sealed {
-    pub trait Sealed: core::fmt::Debug {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
+    /// What [`elementary`](crate::elementary) knows of a type.
+    pub trait Sealed: core::fmt::Debug + Copy + 'static {
+        /// π without [`Scalar::PI`](super::Scalar::PI).
+        const PI_REST: Self;
+        /// `sin w = w + w³ P(w²)` on `0 <= w <= π/2`: the coefficients of P.
+        const SINE: &'static [Self];
+        /// `exp r - 1 = r + r² Q(r)` for `|r| <= ln 2 / 2`: the coefficients of Q.
+        const EXP: &'static [Self];
+        /// Below this exp is taken for exp of this.
+        const LEAST_EXPONENT: Self;
+        /// ln 2 as a number with few digits and the rest.
+        const LN_2: [Self; 2];
+        /// 1 / ln 2.
+        const LOG2_E: Self;
+        /// A number whose neighbours are at distance 1.
+        const TO_WHOLE: Self;
+
+        /// `2^k` of the sum of `k` and [`TO_WHOLE`](Self::TO_WHOLE), if it has all its digits.
+        fn power_of_two(self) -> Self;
+    }
+
+    impl Sealed for f32 {
+        const PI_REST: Self = -8.742_278e-8;
+        // To 0.1 ε.
+        const SINE: &'static [Self] = &[-0.166_666_6, 0.008_333_066, -0.000_198_095_77, 2.605_72e-6];
+        // To 0.01 ε.
+        const EXP: &'static [Self] =
+            &[0.5, 0.166_666_67, 0.041_666_463, 0.008_333_311, 0.001_393_390_1, 0.000_198_912_69];
+        const LEAST_EXPONENT: Self = -86.0;
+        const LN_2: [Self; 2] = [0.693_359_375, -2.121_944_4e-4];
+        const LOG2_E: Self = core::f32::consts::LOG2_E;
+        const TO_WHOLE: Self = 12_582_912.0; // 3/2 2²³
+
+        #[inline(always)]
+        #[allow(clippy::inline_always)]
+        fn power_of_two(self) -> Self {
+            // The last bits of the mantissa are k, which belongs where the exponent of 1 is.
+            Self::from_bits((self.to_bits() << 23).wrapping_add(1.0_f32.to_bits()))
+        }
+    }
+
+    impl Sealed for f64 {
+        const PI_REST: Self = 1.224_646_799_147_353_2e-16;
+        // To 0.003 ε.
+        const SINE: &'static [Self] = &[
+            -0.166_666_666_666_666_66,
+            0.008_333_333_333_333_194,
+            -0.000_198_412_698_412_090_7,
+            2.755_731_921_110_889e-6,
+            -2.505_210_687_032_315_7e-8,
+            1.605_893_957_826_036e-10,
+            -7.642_988_092_708_263e-13,
+            2.721_138_442_410_517_7e-15,
+        ];
+        // To 0.005 ε.
+        const EXP: &'static [Self] = &[
+            0.5,
+            0.166_666_666_666_666_7,
+            0.041_666_666_666_666_67,
+            0.008_333_333_333_325_973,
+            0.001_388_888_888_888_363_3,
+            0.000_198_412_698_753_854_8,
+            2.480_158_732_595_111e-5,
+            2.755_725_468_572_88e-6,
+            2.755_727_313_289_604e-7,
+            2.510_551_354_184_708_5e-8,
+            2.091_489_872_917_552_4e-9,
+        ];
+        const LEAST_EXPONENT: Self = -700.0;
+        const LN_2: [Self; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
+        const LOG2_E: Self = core::f64::consts::LOG2_E;
+        const TO_WHOLE: Self = 6_755_399_441_055_744.0; // 3/2 2⁵²
+
+        #[inline(always)]
+        #[allow(clippy::inline_always)]
+        fn power_of_two(self) -> Self {
+            Self::from_bits((self.to_bits() << 52).wrapping_add(1.0_f64.to_bits()))
+        }
+    }
 }
 
 macro_rules! scalars {

@@ -111,7 +111,8 @@ pub(crate) fn join(
     let mut names: Vec<String> = names.map(names::plain).listed();
     let fields = (!scalars.is_empty()).then(|| Fields::new(&name, &scalars, &names));
     names.extend(fields.iter().map(|fields| fields.argument.to_string()));
-    let surroundings = Surroundings { runtime, input: &input, taken: &names, points: None };
+    let surroundings =
+        Surroundings { runtime, input: &input, taken: &names, points: None, bernstein: rust::BERNSTEIN[0] };
     let Body { lets, outputs } = rust::body(&points_plan, &surroundings);
     let mut outputs = outputs.iter();
     let results = determined.mapped(|(_, points)| {

@@ -8,7 +8,7 @@ use super::code::docs;
 use super::code::shell::Shell;
 use super::code::tokens::{doc, float, number, site};
 use super::formula::{factored, is_sum};
-use super::rust::Body;
+use super::rust::{BERNSTEIN, Body};
 use super::{nonnegative, rounding};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -260,7 +260,8 @@ impl OnSpan<'_> {
             } else {
                 quote_spanned!(site()=> #runtime::RationalBasis::numerators(self))
             };
-            let values = quote_spanned!(site()=> #runtime::__private::bernstein(#table, s, x));
+            let function = Ident::new(self.bernstein(), site());
+            let values = quote_spanned!(site()=> #runtime::__private::#function(#table, s, x));
             let nonnegative = self.nonnegative();
             let values = if nonnegative.is_empty() {
                 values
@@ -430,7 +431,7 @@ impl OnSpan<'_> {
     fn body(&self, plan: &Plan) -> Body {
         let analytic = &self.family.analytic;
         let shapes = self.shell.fields.len();
-        self.shell.body(plan, &|input| match input {
+        let input = |input| match input {
             Input::Coordinate(0) if analytic.is_empty() => quote_spanned!(site()=> t),
             Input::Coordinate(0) => quote_spanned!(site()=> s),
             Input::Shape(k) => match analytic.angles.get(k - shapes) {
@@ -442,7 +443,16 @@ impl OnSpan<'_> {
                 ),
             },
             _ => quote_spanned!(site()=> x),
-        })
+        };
+        self.shell.body_by(plan, &input, self.bernstein())
+    }
+
+    /// The function of the runtime for polynomials in Bernstein form; where the functions are polynomials in the variable, its
+    /// coordinates sum to 1.
+    fn bernstein(&self) -> &'static str {
+        BERNSTEIN[usize::from(
+            self.form.is_affine && self.family.over.is_one() && !self.family.analytic.is_empty(),
+        )]
     }
 
     /// The tangent of a shape parameter, by one of two functions of the runtime.

@@ -17,7 +17,12 @@ pub(super) struct Surroundings<'a> {
     pub(super) taken: &'a [String],
     /// How many control points there are, when `points` is the array of all of them.
     pub(super) points: Option<usize>,
+    /// The function of the runtime for polynomials in Bernstein form.
+    pub(super) bernstein: &'static str,
 }
+
+/// That function for any two coordinates, and the one with smaller errors for coordinates with the sum 1.
+pub(super) const BERNSTEIN: [&str; 2] = ["bernstein", "affine_bernstein"];
 
 /// The local variables of a plan and its results.
 pub(super) struct Body {
@@ -136,7 +141,8 @@ impl Printer<'_> {
             },
             Node::Bernstein { coefficients, s, x } => {
                 let (coefficients, s, x) = (self.codes(coefficients), self.code(*s), self.code(*x));
-                quote_spanned!(site()=> #runtime::__private::bernstein([#(#coefficients),*], #s, #x))
+                let function = Ident::new(self.surroundings.bernstein, site());
+                quote_spanned!(site()=> #runtime::__private::#function([#(#coefficients),*], #s, #x))
             }
             Node::Combine { points, weights } => {
                 let weights = self.codes(weights);

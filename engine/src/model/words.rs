@@ -28,7 +28,7 @@ pub(crate) const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
 pub(crate) const FUNCTIONS: [&str; 8] = ["b", "B", "N", "f", "F", "phi", "φ", "M"];
 
 /// What to write for a function under a name from elsewhere; the argument stands for `…`.
-pub(crate) const OTHER_NAMES: [(&str, &str); 14] = [
+pub(crate) const OTHER_NAMES: [(&str, &str); 26] = [
     ("int", "integral(…)"),
     ("integrate", "integral(…)"),
     ("Integrate", "integral(…)"),
@@ -43,4 +43,16 @@ pub(crate) const OTHER_NAMES: [(&str, &str); 14] = [
     ("csc", "1/sin(…)"),
     ("sec", "1/cos(…)"),
     ("cot", "cos(…)/sin(…)"),
+    ("ctg", "cos(…)/sin(…)"),
+    ("tg", "tan(…)"),
+    ("sh", "sinh(…)"),
+    ("ch", "cosh(…)"),
+    ("th", "tanh(…)"),
+    ("coth", "1/tanh(…)"),
+    ("sech", "1/cosh(…)"),
+    ("csch", "1/sinh(…)"),
+    ("Sin", "sin(…)"),
+    ("Cos", "cos(…)"),
+    ("Tan", "tan(…)"),
+    ("Exp", "exp(…)"),
 ];

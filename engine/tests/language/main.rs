@@ -7,6 +7,7 @@ mod finer_parts;
 mod integrals;
 mod language_reference;
 mod library_of_specs;
+mod literature;
 mod one_mistake;
 mod parts_of_a_turn;
 mod rechecked;

@@ -146,6 +146,27 @@ pub(crate) fn nested<P: Point>(points: &[P], binomials: &[f64], s: P::Scalar, x:
     })
 }
 
+/// [`nested`] for `s + x = 1`, in the smaller of both: `sum s` is `sum - sum x`, of which the product is small.
+#[inline]
+pub(crate) fn affine_nested<P: Point>(points: &[P], binomials: &[f64], s: P::Scalar, x: P::Scalar) -> P {
+    if x < s {
+        stepwise(points.iter().copied(), binomials, x)
+    } else {
+        stepwise(points.iter().rev().copied(), binomials, s)
+    }
+}
+
+#[inline]
+fn stepwise<P: Point>(mut points: impl Iterator<Item = P>, binomials: &[f64], x: P::Scalar) -> P {
+    let Some(first) = points.next() else { return P::zero() };
+    let mut power = P::Scalar::ONE;
+    points.zip(&binomials[1..]).fold(first, |sum, (point, &binomial)| {
+        power = power * x;
+        let step = point.scale(power * P::Scalar::of(binomial)).minus(sum.scale(x));
+        sum.add_scaled(step, P::Scalar::ONE)
+    })
+}
+
 /// The derivative of that order, in `x`, of the polynomial with these Bernstein coefficients; overwrites them.
 #[inline]
 pub(crate) fn bernstein_derivative<P: Point>(

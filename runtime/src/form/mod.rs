@@ -8,11 +8,10 @@ mod tiles;
 use core::fmt::Debug;
 
 pub use bernstein::BernsteinForm;
-pub(crate) use bernstein::{bernstein_derivative, nested};
+pub(crate) use bernstein::{affine_nested, bernstein_derivative, nested};
 pub use endpoint::EndpointForm;
 #[cfg(feature = "bspline")]
 pub(crate) use slices::{EndpointPoints, endpoint_coefficients, horner};
-#[cfg(feature = "bspline")]
 pub(crate) use tiles::MOST_COMPONENTS;
 
 use crate::{Point, Scalar};

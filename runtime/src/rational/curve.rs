@@ -3,9 +3,12 @@
 use core::fmt::{self, Debug, Formatter};
 
 use super::series::{Room, Side, derivatives};
+use super::slices::RationalPoints;
 use super::{Chart, RationalBasis};
 use crate::basis::combination;
 use crate::binomial::row;
+use crate::form::MOST_COMPONENTS;
+use crate::simd::{WORTHWHILE, dispatch};
 use crate::{Array, CountError, CurveError, Point, Scalar};
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]` and rational functions `b[i]`.
@@ -135,11 +138,21 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
     }
 
     /// The points `out[i] = C(ts[i])`; what has no partner in the other slice is left alone.
-    #[inline]
+    ///
+    /// From 16 points on they are computed with the widest vector instructions of the processor, sines and exponentials
+    /// included, for less than what one sine and cosine of the standard library costs. The ends stay exact. Results can differ
+    /// from [`eval`](Self::eval) in the last digits.
     pub fn eval_into(&self, ts: &[B::Scalar], out: &mut [P]) {
-        for (out, &t) in out.iter_mut().zip(ts) {
-            *out = self.eval(t);
+        let len = ts.len().min(out.len());
+        let (ts, out) = (&ts[..len], &mut out[..len]);
+        if len < WORTHWHILE || P::DIM > MOST_COMPONENTS {
+            for (out, &t) in out.iter_mut().zip(ts) {
+                *out = self.eval(t);
+            }
+            return;
         }
+        let (numerator, denominator) = (self.numerator.as_ref(), self.denominator.as_ref());
+        dispatch(len, RationalPoints { curve: self, numerator, denominator, ts, out });
     }
 
     /// The point at the lower end of the domain.

@@ -8,6 +8,7 @@ mod bezier;
 mod chart;
 mod curve;
 mod series;
+mod slices;
 mod spanned;
 #[cfg(feature = "geometry")]
 mod spline;

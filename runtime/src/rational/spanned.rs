@@ -214,10 +214,17 @@ impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> SpannedCurve<B, P> {
     }
 
     /// The points `out[i] = C(ts[i])`; what has no partner in the other slice is left alone.
-    #[inline]
+    ///
+    /// Parameters of one span that stand beside each other are evaluated together, as [`RationalCurve::eval_into`] does it.
     pub fn eval_into(&self, ts: &[B::Scalar], out: &mut [P]) {
-        for (out, &t) in out.iter_mut().zip(ts) {
-            *out = self.eval(t);
+        let len = ts.len().min(out.len());
+        let mut done = 0;
+        while done < len {
+            let (index, span) = self.span_at(ts[done]);
+            let same = |t: &B::Scalar| self.span_at(*t).0 == index;
+            let count = ts[done..len].iter().take_while(|t| same(t)).count().max(1);
+            span.eval_into(&ts[done..done + count], &mut out[done..done + count]);
+            done += count;
         }
     }
 

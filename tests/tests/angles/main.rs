@@ -1,6 +1,6 @@
 //! Families with sines and exponentials: the generated types, and the curves over them, beside values of mpmath.
 
-use basis_runtime::{CurveError, ParametricCurve, RationalBasis, Scalar, basis};
+use basis_runtime::{Array, CurveError, ParametricCurve, RationalBasis, Scalar, basis};
 use basis_tests::exact::epsilon;
 use serde_json::Value;
 
@@ -44,6 +44,9 @@ fn numbers(value: &Value) -> Vec<f64> {
 /// Values to within some ε of themselves, derivatives of the largest of their order.
 fn check<B: RationalBasis>(basis: &B, points: &Value, ulps: f64, worst: &mut f64) {
     let eps = epsilon::<B::Scalar>();
+    let mut sliced = 0.0;
+    check_slices(basis, points, &mut sliced);
+    println!("{} in slices: {sliced:.1} ε", B::NAME);
     for point in points.as_array().expect("a list") {
         let t = B::Scalar::of(float(&point[0]));
         for (k, (got, exact)) in basis.values(t).as_ref().iter().zip(numbers(&point[1][0])).enumerate() {
@@ -65,6 +68,30 @@ fn check<B: RationalBasis>(basis: &B, points: &Value, ulps: f64, worst: &mut f64
                     "{} order {order} at {t}: {got} for {exact}, off by {error} ε",
                     B::NAME
                 );
+            }
+        }
+    }
+}
+
+/// The values once more, as points of curves in slices.
+fn check_slices<B: RationalBasis>(basis: &B, points: &Value, worst: &mut f64) {
+    const ULPS: f64 = 16.0;
+    let points = points.as_array().expect("a list");
+    let ts: Vec<B::Scalar> = points.iter().map(|p| B::Scalar::of(float(&p[0]))).collect();
+    // A tile and a part of the next one; what has no partner is left alone.
+    let ts: Vec<B::Scalar> = ts.iter().copied().cycle().take(ts.len().max(100)).collect();
+    for k in 0..B::LEN {
+        let one = |i| if i == k { B::Scalar::ONE } else { B::Scalar::ZERO };
+        let curve = basis.curve(B::Points::from_fn(one));
+        let mut out = vec![B::Scalar::NAN; ts.len() + 1];
+        curve.eval_into(&ts, &mut out);
+        assert!(out.pop().is_some_and(Scalar::is_nan));
+        for ((got, t), point) in out.iter().zip(&ts).zip(points.iter().cycle()) {
+            let exact = numbers(&point[1][0])[k];
+            if exact > B::Scalar::MIN_POSITIVE.to_f64() {
+                let error = (got.to_f64() - exact).abs() / exact / epsilon::<B::Scalar>();
+                *worst = worst.max(error);
+                assert!(error <= ULPS, "{} b[{k}]({t}) = {got} for {exact}, off by {error} ε", B::NAME);
             }
         }
     }
@@ -167,6 +194,49 @@ fn a_quarter_of_a_circle() {
     assert!(polygon.len() > 4 && polygon.iter().all(|[x, y]| (x.hypot(*y) - 1.0).abs() < 1e-15));
     assert!(matches!(curve.split(half_pi), Err(CurveError::AtEnd { .. })));
     assert!(matches!(curve.split(1.6), Err(CurveError::Parameter { .. })));
+}
+
+/// Outside of the domain, and where a parameter is not a number, slices have what single points have.
+#[test]
+fn slices_go_on_outside_of_the_domain() {
+    let curve = EllipticArc::<f64>::new().curve([[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    let mut ts: Vec<f64> = (0..200).map(|k| 1.5 * f64::from(k) / 199.0).collect();
+    ts[70] = -0.25;
+    ts[131] = 2.0;
+    ts[150] = f64::NAN;
+    ts[199] = core::f64::consts::FRAC_PI_2;
+    let mut out = vec![[0.0; 2]; ts.len()];
+    curve.eval_into(&ts, &mut out);
+    for (k, (point, t)) in out.iter().zip(&ts).enumerate() {
+        let alone = curve.eval(*t);
+        if k == 150 {
+            assert!(point[0].is_nan() && point[1].is_nan());
+        } else if [70, 131, 199].contains(&k) {
+            assert_eq!(*point, alone, "{t}");
+        } else {
+            assert!(point.iter().zip(alone).all(|(got, one)| (got - one).abs() <= 4.0 * f64::EPSILON), "{t}");
+        }
+    }
+}
+
+/// Next to the knot the values of both spans, whatever the order of the parameters.
+#[test]
+fn slices_of_several_spans() {
+    use core::f64::consts::PI;
+    let curve = Hat::<f64>::new().curve([3.0]);
+    let ts: Vec<f64> =
+        (0..300).map(|k| PI * (f64::from((k * 37) % 300) / 149.5 - 1.0).clamp(-1.0, 1.0)).collect();
+    for ts in [&ts[..], &{
+        let mut sorted = ts.clone();
+        sorted.sort_by(f64::total_cmp);
+        sorted
+    }] {
+        let mut out = vec![0.0; ts.len()];
+        curve.eval_into(ts, &mut out);
+        for (point, t) in out.iter().zip(ts) {
+            assert!((point - curve.eval(*t)).abs() <= 4.0 * f64::EPSILON, "{t}");
+        }
+    }
 }
 
 /// From the parameter of the Bézier form and back.

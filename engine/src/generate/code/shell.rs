@@ -35,6 +35,16 @@ impl Shell<'_> {
 
     /// The code of a plan in a method of the type; all inputs but shape values have the code that `input` gives.
     pub(in crate::generate) fn body(&self, plan: &Plan, input: &dyn Fn(Input) -> TokenStream) -> Body {
+        self.body_by(plan, input, rust::BERNSTEIN[0])
+    }
+
+    /// The same with a function for polynomials in Bernstein form.
+    pub(in crate::generate) fn body_by(
+        &self,
+        plan: &Plan,
+        input: &dyn Fn(Input) -> TokenStream,
+        bernstein: &'static str,
+    ) -> Body {
         let input = |which: Input| match which {
             Input::Shape(k) if k < self.fields.len() => {
                 let field = &self.fields[k];
@@ -43,7 +53,8 @@ impl Shell<'_> {
             _ => input(which),
         };
         let points = Some(self.family.functions.len());
-        let surroundings = Surroundings { runtime: self.runtime, input: &input, taken: &[], points };
+        let surroundings =
+            Surroundings { runtime: self.runtime, input: &input, taken: &[], points, bernstein };
         rust::body(plan, &surroundings)
     }
 

@@ -178,6 +178,8 @@ impl Scope<'_> {
                     }
                     _ => None,
                 };
+                let roughly = numbers.iter().any(|number| divisor.depends_on(*number));
+                let along_is_open = along.is_none() && alone.is_none();
                 let (at, help) = match (along, alone) {
                     (Some(along), _) => along,
                     (None, Some((var, x))) => (
@@ -195,7 +197,17 @@ impl Scope<'_> {
                         String::from("narrow the declared ranges so that they leave this value out"),
                     ),
                 };
-                let message = format!("the denominator vanishes at {at}");
+                // With π and exp(r) the point is only known between their bounds.
+                let rough = match (&only[..], roughly && along_is_open) {
+                    ([(var, Coordinate::Rational(x))], true) => {
+                        Some(format!("near {} = {:.6}", self.names[var.0], x.to_f64()))
+                    }
+                    _ => None,
+                };
+                let message = match rough {
+                    Some(near) => format!("the denominator vanishes {near}"),
+                    None => format!("the denominator vanishes at {at}"),
+                };
                 labelled(Diagnostic::error(place.clone(), message)).help(help)
             }
             Err(Open::Undecided(left)) => labelled(Diagnostic::error(
