@@ -14,6 +14,7 @@ use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use basis_prover::algebra::number::square_root;
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_by;
 
 /// What is assumed of the parameters: a polynomial has a sign.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,6 +116,9 @@ const MAX_PIECES: usize = 24;
 /// Nor are more choices of bounds tried to find them.
 const MAX_CHOICES: usize = 2_000;
 
+/// Beyond this many terms for one variable the variables are eliminated in the other order as well.
+const MANY_TERMS: usize = 64;
+
 /// No polynomial in the variables of a box has more terms.
 const MAX_TERMS: u64 = 20_000;
 
@@ -141,18 +145,37 @@ pub fn pieces(vars: &[(Var, Range)], constraints: &[(Poly, Relation)]) -> Vec<Pi
     if constraints.is_empty() && !vars.iter().any(|(_, range)| point(range)) {
         return vec![Piece::plain(vars.to_vec())];
     }
-    let mut all = Elimination {
-        vars: vars.iter().map(|(var, range)| (*var, range)).listed(),
-        pieces: Vec::new(),
-        choices: 0,
-        too_many: false,
-    };
-    all.eliminate(vars.len(), constraints.to_vec(), Piece::default());
-    let said = |piece: &Piece| piece.premises.iter().all(|(p, _)| piece.pull_back(p).is_some());
-    if all.too_many || !all.pieces.iter().all(said) {
-        return vec![Piece { premises: constraints.to_vec(), ..Piece::plain(vars.to_vec()) }];
+    let order = vars.iter().map(|(var, range)| (*var, range)).listed();
+    let forward = in_order(order.clone(), constraints);
+    if let Some(pieces) = forward.as_ref().filter(|pieces| are_short(pieces, vars)) {
+        return pieces.clone();
     }
-    all.pieces
+    // Of h₀ ≤ h₁ ≤ … ≤ 1 the last one is 1 − ∏(1 − yₖ) if it comes last, and y if it comes first, those before it
+    // being products.
+    let backward = in_order(order.into_iter().rev().listed(), constraints);
+    let backward = backward.filter(|pieces| forward.is_none() || are_short(pieces, vars));
+    let plain = || vec![Piece { premises: constraints.to_vec(), ..Piece::plain(vars.to_vec()) }];
+    let mut best = backward.or(forward).unwrap_or_else(plain);
+    for piece in &mut best {
+        let place = |var: Var| vars.iter().position(|(v, _)| *v == var);
+        sort_by(&mut piece.ranges, |(a, _), (b, _)| place(*a).cmp(&place(*b)));
+    }
+    best
+}
+
+/// The parts as they are found if the variables are eliminated from the last one to the first; `None` when there are too many.
+fn in_order(vars: Vec<(Var, &Range)>, constraints: &[(Poly, Relation)]) -> Option<Vec<Piece>> {
+    let mut all = Elimination { vars, pieces: Vec::new(), choices: 0, too_many: false };
+    all.eliminate(all.vars.len(), constraints.to_vec(), Piece::default());
+    let said = |piece: &Piece| piece.premises.iter().all(|(p, _)| piece.pull_back(p).is_some());
+    (!all.too_many && all.pieces.iter().all(said)).then_some(all.pieces)
+}
+
+/// Whether the polynomials that stand for the variables have few terms.
+fn are_short(pieces: &[Piece], vars: &[(Var, Range)]) -> bool {
+    let short =
+        |piece: &Piece, var: Var| piece.pull_back(&Poly::var(var)).is_some_and(|p| p.len() <= MANY_TERMS);
+    pieces.iter().all(|piece| vars.iter().all(|(var, _)| short(piece, *var)))
 }
 
 /// Linear conditions in place of one of the second degree in one variable alone that says a range with rational ends, such

@@ -365,4 +365,20 @@ fn long_chains() {
         }",
     );
     assert_eq!(refuted.len(), 1);
+    // With both ends the last of thirty is a product of as many differences, the first one a product of variables.
+    let chain: Vec<String> = (0..30).map(|i| format!("h[{i}]")).collect();
+    let spec = format!(
+        "family Between {{
+            domain 0 <= t <= 1;
+            shape 0 <= {} <= 1;
+            b[0] = sum(h[i]*t^i for i in 0..=29);
+            prove h[0] <= h[29];
+            prove h[3]*h[20] <= h[25];
+            prove b[0] <= 30;
+            refute b[0] <= 29;
+            refute h[29] <= h[0];
+        }}",
+        chain.join(" <= ")
+    );
+    assert_eq!(self::refuted(&spec).len(), 2);
 }

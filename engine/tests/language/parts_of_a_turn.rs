@@ -251,7 +251,17 @@ fn parameters_with_an_index() {
             prove 0 <= b[0] <= 1;
             prove cos(t) + sin(α[2]) > 0;
             refute cos(t) >= sin(α[2]);
+        }
+        family Given {
+            shape 0 < α[i] < pi for i in 0..=1;
+            domain 0 <= t <= α[0];
+            b[0] = sin(t)*cos(α[1]);
+            prove at α[0] = pi/3, α[1] = pi/3 { b[0] <= 1/2; }
+            prove at α[1] = 2*pi/3 { b[0] = -sin(t)/2; }
+            prove at α = pi/3 { b[0] = sin(t)/2; }
+            refute at α[0] = pi/3, α[1] = pi/3 { b[0] <= 43/100; }
+            refute at α[1] = pi/3 { b[0] = -sin(t)/2; }
         }",
     );
-    assert_eq!(refuted.len(), 5, "{refuted:?}");
+    assert_eq!(refuted.len(), 7, "{refuted:?}");
 }

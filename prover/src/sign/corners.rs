@@ -4,7 +4,7 @@ use super::outcome::{Outcome, Prove};
 use super::problem::{Problem, as_rational, rational};
 use super::witness;
 use crate::algebra::poly::Var;
-use crate::algebra::range::End;
+use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_between;
 use crate::budget::Budget;
@@ -12,6 +12,10 @@ use crate::coordinate::Coordinate;
 use crate::method::Method;
 use basis_kernel::Relation;
 use basis_kernel::SignProof;
+
+/// Of more variables the one with the most terms comes first: of h₁ ≤ h₂ ≤ …, products of y₁, y₂, …, one end leaves hardly
+/// anything, where in another order both ends leave half of 2ⁿ cases.
+const FEW: usize = 8;
 
 /// Decides by the corners of one variable, if there is one of degree 1 among several.
 pub(super) fn by_corners(
@@ -23,7 +27,13 @@ pub(super) fn by_corners(
     if problem.ranges.len() < 2 {
         return None;
     }
-    let (var, range) = problem.ranges.iter().find(|(v, _)| problem.poly.degree(*v) == 1)?;
+    let linear = |(v, _): &&(Var, Range)| problem.poly.degree(*v) == 1;
+    let (var, range) = if problem.ranges.len() <= FEW {
+        problem.ranges.iter().find(linear)?
+    } else {
+        let terms = |v: Var| problem.poly.terms().filter(|(m, _)| m.exponent(v) == 1).count();
+        problem.ranges.iter().filter(linear).max_by_key(|(v, _)| terms(*v))?
+    };
     let coefficients = problem.poly.coefficients_in(*var);
     let [_, slope] = &coefficients[..] else { return None };
     if range.low == End::Infinite && range.high == End::Infinite {

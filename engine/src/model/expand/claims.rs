@@ -5,7 +5,8 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::fixed::{assumed_away, bound_name, fixed};
+use super::fixed::{assumed_away, fixed};
+use super::names::bound_name;
 use super::{names, spans};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Var;

@@ -4,6 +4,7 @@ use basis_prover::collections::sort::sort_by_key;
 use proc_macro2::Span;
 
 use super::fixed_angle::fixed_angle;
+use super::names::bound_name;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
@@ -11,18 +12,6 @@ use crate::model::scope::{Fixed, Inside, Scope};
 use crate::model::{Barycentric, Family, Parameter, chart, label};
 use crate::syntax::Binding;
 use basis_prover::collections::list::Listed;
-
-/// The name that gets a value, indices as numbers.
-pub(super) fn bound_name(scope: &mut Scope<'_>, binding: &Binding) -> Option<String> {
-    if binding.indices.is_empty() {
-        return Some(binding.name.text.clone());
-    }
-    let mut index = Vec::new();
-    for i in &binding.indices {
-        index.push(scope.whole(i, "the index of a shape parameter")?);
-    }
-    Some(label(&binding.name.text, &index))
-}
 
 /// Reports values that what is assumed rules out.
 pub(super) fn assumed_away(scope: &Scope<'_>, family: &Family, span: Span, message: &str) {

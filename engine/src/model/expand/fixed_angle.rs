@@ -5,6 +5,7 @@
 
 use super::angles::{are_ordered, is_alone};
 use super::names;
+use super::shapes::without_indices;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Given, Kind};
@@ -24,30 +25,36 @@ pub(super) fn without_tangents<'a>(
     family: &Family,
     bindings: &'a [Binding],
 ) -> Given {
-    let is_angle = |binding: &&Binding| {
-        let angles = &family.analytic.angles;
-        let named = |angle: &&Angle| angle.kind == Kind::Circular && angle.name == binding.name.text;
-        binding.indices.is_empty()
-            && angles.iter().find(named).is_some_and(|angle| family.shapes.iter().any(|p| p.var == angle.var))
+    let angles = || {
+        let circular = family.analytic.angles.iter().filter(|angle| angle.kind == Kind::Circular);
+        circular.filter(|angle| family.shapes.iter().any(|p| p.var == angle.var))
     };
-    let mut angles = bindings.iter().filter(is_angle).peekable();
-    if angles.peek().is_none() {
+    // Of `α[1]` the name is α.
+    let base = |angle: &Angle| angle.name.split('[').next().unwrap_or_default().to_string();
+    let perhaps = |binding: &&Binding| angles().any(|angle| base(angle) == binding.name.text);
+    let mut bindings = bindings.iter().filter(perhaps).peekable();
+    if bindings.peek().is_none() {
         return Given::new();
     }
     let mut scope = Scope::of_family(library, unit, family);
     names::plan(&mut scope, written);
     let mut given = Given::new();
-    for binding in angles {
+    for binding in bindings {
+        let name = names::attempt(&mut scope, &mut |scope| names::bound_name(scope, binding));
         let value = names::attempt(&mut scope, &mut |scope| scope.scalar(&binding.value));
-        let angle = family.analytic.angles.iter().find(|angle| angle.name == binding.name.text);
-        let (Some(value), Some(angle)) = (value, angle) else { continue };
+        let Some(value) = value else { continue };
         let Some(turns) = multiple_of_pi(&value, &scope) else { continue };
-        let is_rational = match scope.angle_at(angle, &value, binding.value.span) {
-            Ok(y) => y.is_some_and(|y| family.analytic.roots.iter().all(|root| !y.depends_on(root.var))),
-            Err(_) => false,
-        };
-        if !is_rational && lies_inside(&turns, written, angle, &scope) {
-            given.push((angle.name.clone(), turns));
+        // A name without an index stands for all of its parameters.
+        let is_meant =
+            |angle: &&Angle| name.as_ref().is_some_and(|name| *name == angle.name || *name == base(angle));
+        for angle in angles().filter(is_meant) {
+            let is_rational = match scope.angle_at(angle, &value, binding.value.span) {
+                Ok(y) => y.is_some_and(|y| family.analytic.roots.iter().all(|root| !y.depends_on(root.var))),
+                Err(_) => false,
+            };
+            if !is_rational && lies_inside(&turns, written, angle, &mut scope) {
+                given.push((angle.name.clone(), turns.clone()));
+            }
         }
     }
     given
@@ -60,9 +67,12 @@ fn multiple_of_pi(value: &Fraction, scope: &Scope<'_>) -> Option<Rational> {
 }
 
 /// Whether a multiple of π lies in the range of a shape parameter that has a range of its own.
-fn lies_inside(turns: &Rational, written: &syntax::Family, angle: &Angle, scope: &Scope<'_>) -> bool {
+fn lies_inside(turns: &Rational, written: &syntax::Family, angle: &Angle, scope: &mut Scope<'_>) -> bool {
     let declared = written.statements.iter().find_map(|statement| match &statement.kind {
-        StatementKind::Shape(decls) => decls.iter().find(|decl| is_alone(decl, &angle.name)),
+        StatementKind::Shape(decls) => decls.iter().find_map(|decl| {
+            let single = without_indices(scope, decl)?;
+            single.into_iter().find(|decl| is_alone(decl, &angle.name))
+        }),
         _ => None,
     });
     let Some(decl) = declared else { return false };

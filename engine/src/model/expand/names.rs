@@ -8,7 +8,7 @@ use proc_macro2::Span;
 use super::function;
 use crate::model::label;
 use crate::model::scope::{Needed, Planned, Scope};
-use crate::syntax::{self, Name, NameDef, StatementKind};
+use crate::syntax::{self, Binding, Name, NameDef, StatementKind};
 use basis_prover::collections::list::Mapped;
 
 /// Makes the names of a family known, each to be evaluated when it is needed.
@@ -148,4 +148,16 @@ fn report_circle(scope: &Scope<'_>, circle: &[Needed], span: Span) {
         error.note(format!("the circle is {}", names.join(" -> ")))
     };
     scope.report(error.help("a formula may use functions and names, in any order, that do not need it"));
+}
+
+/// The name that gets a value, indices as numbers.
+pub(super) fn bound_name(scope: &mut Scope<'_>, binding: &Binding) -> Option<String> {
+    if binding.indices.is_empty() {
+        return Some(binding.name.text.clone());
+    }
+    let mut index = Vec::new();
+    for i in &binding.indices {
+        index.push(scope.whole(i, "the index of a shape parameter")?);
+    }
+    Some(label(&binding.name.text, &index))
 }

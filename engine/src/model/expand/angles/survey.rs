@@ -299,9 +299,11 @@ fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, seen: &m
                 probe_relation(probe, relation);
             }
             ClaimKind::At(bindings, relations) if is_about(number) && is_about_given(probe, bindings) => {
-                for Binding { name, value, .. } in bindings {
-                    let place = probe.variable(&name.text).zip(probe.scalar(value));
+                for binding in bindings {
+                    let name = names::attempt(probe, &mut |probe| names::bound_name(probe, binding));
+                    let place = name.and_then(|name| probe.variable(&name)).zip(probe.scalar(&binding.value));
                     content.places.extend(place);
+                }
                 }
                 for relation in relations {
                     probe_relation(probe, relation);
@@ -320,7 +322,12 @@ fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, seen: &m
 fn is_about_given(probe: &mut Scope<'_>, bindings: &[Binding]) -> bool {
     let given = probe.anew.given.clone();
     given.iter().all(|(name, turns)| {
-        let own = bindings.iter().find(|b| b.name.text == *name && b.indices.is_empty());
+        // A name without an index stands for all of its parameters.
+        let base = name.split('[').next();
+        let own = bindings.iter().find(|b| {
+            let bound = names::attempt(probe, &mut |probe| names::bound_name(probe, b));
+            bound.is_some_and(|bound| bound == *name || Some(bound.as_str()) == base)
+        });
         let value = own.and_then(|b| names::attempt(probe, &mut |probe| probe.scalar(&b.value)));
         value.and_then(|value| Linear::of(&value, probe.analytic.pi)).is_some_and(|value| value.pi == *turns)
     })
