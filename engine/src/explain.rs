@@ -109,6 +109,11 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     lines
 }
 
+/// A value as a formula of the language.
+pub(crate) fn written(family: &Family, value: &Fraction) -> String {
+    if family.analytic.is_empty() { value.display(&family.names) } else { reading::expanded(family, value) }
+}
+
 /// Where a shape parameter may be so that all functions are nonnegative, the other parameters on their declared ranges.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NonnegativeRange {

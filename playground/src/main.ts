@@ -6,7 +6,7 @@ import { Engine } from './engine';
 import { violated } from './evaluate';
 import catalogue from './generated/catalogue.json';
 import { formula } from './math';
-import { isRefusal, type Claim, type Drawing, type Facts, type Formula, type Item, type Library, type Statement, type Verdicts } from './protocol';
+import { isRefusal, type Claim, type Drawing, type Facts, type FunctionFacts, type Formula, type Item, type Library, type Statement, type Verdicts } from './protocol';
 import { decode, encode, type State } from './share';
 import { Surfaces } from './surfaces';
 
@@ -83,6 +83,7 @@ const editor = new Editor(byId('editor'), {
     clearTimeout(pause);
     doing('deciding');
     view.current = false;
+    view.mark = undefined;
     pause = setTimeout(() => { engine.open(text); remember(); }, 60);
   },
   async complete(text, at) {
@@ -172,11 +173,14 @@ async function about<T extends object>(question: Record<string, unknown>): Promi
   const [wanted, items] = [view.item, view.items];
   const answer = await engine.ask<T>({ ...question, item: wanted });
   if (view.item !== wanted || view.items !== items) return undefined;
-  return isRefusal(answer) ? answer.error : answer;
+  if (isRefusal(answer)) return document.body.classList.contains('stale') ? UNREAD : answer.error;
+  return answer;
 }
 
+const UNREAD = 'The text declares no family that can be read. The messages stand below its lines.';
+
 const nothing = (): HTMLElement =>
-  h('p', { class: 'hint' }, view.items.length || !view.current ? '' : 'The text declares no family that can be read. The messages stand below its lines.');
+  h('p', { class: 'hint' }, view.items.length || !view.current ? '' : UNREAD);
 
 // Functions
 
@@ -190,21 +194,23 @@ async function showFunctions(): Promise<void> {
   const domain = [...(facts.domain ?? []), ...(facts.shapes ?? []).map((s) => s.declared), ...(facts.conditions ?? [])];
   if (domain.length) into.push(h('p', { class: 'domain' }, ...domain.flatMap((f, k) => [k ? ',  ' : '', formula(f)])));
   for (const patch of facts.patches ?? []) into.push(h('p', {}, `${patch.name} = ${patch.written}`));
-  if (facts.functions?.length) {
+  const spans = facts.spans?.length ? facts.spans : [{ domain: [], functions: facts.functions ?? [] }];
+  if (spans.some((s) => s.functions.length)) {
     const forms = h('select', { 'aria-label': 'form of the formulas' }, h('option', { value: 'factored' }, 'factored'), h('option', { value: 'expanded' }, 'expanded'));
-    const bernstein = facts.functions.some((f) => f.bernstein.length);
+    const bernstein = spans.some((s) => s.functions.some((f) => f.bernstein.length));
     if (bernstein) forms.append(h('option', { value: 'bernstein' }, 'Bernstein coefficients'));
     const list = h('div', { class: 'formulas' });
     const fill = () => {
       const form = forms.value as 'factored' | 'expanded' | 'bernstein';
-      list.replaceChildren(...facts.functions!.map((f) => {
+      const row = (f: FunctionFacts): HTMLElement => {
         const right = form === 'bernstein'
           ? h('span', {}, ...f.bernstein.flatMap((c, k) => [k ? ',  ' : '', formula(c)]))
           : formula(f[form]);
-        const row = h('div', { class: 'formula' }, formula(f.label), h('span', { class: 'equals' }, form === 'bernstein' ? ':' : '='), right);
-        if (form !== 'bernstein' && f.between) row.append(h('span', { class: 'hint' }, '  between ', formula(f.between[0]), ' and ', formula(f.between[1])));
-        return row;
-      }));
+        const line = h('div', { class: 'formula' }, formula(f.label), h('span', { class: 'equals' }, form === 'bernstein' ? ':' : '='), right);
+        if (form !== 'bernstein' && f.between) line.append(h('span', { class: 'hint' }, '  between ', formula(f.between[0]), ' and ', formula(f.between[1])));
+        return line;
+      };
+      list.replaceChildren(...spans.flatMap((s) => [...s.domain.map((d) => h('div', { class: 'formula hint' }, 'on ', formula(d))), ...s.functions.map(row)]));
     };
     forms.addEventListener('change', fill);
     fill();

@@ -130,6 +130,8 @@ export interface Facts {
   shapes?: { declared: Formula; doc: string[] }[];
   conditions?: Formula[];
   functions?: FunctionFacts[];
+  /** On several spans of the domain, in the place of the functions. */
+  spans?: { domain: Formula[]; functions: FunctionFacts[] }[];
   patches?: { name: string; written: string }[];
   points?: Formula[];
 }

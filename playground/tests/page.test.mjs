@@ -111,6 +111,47 @@ test('typing a family of one’s own, and a false claim', async () => {
   await page.context().close();
 });
 
+test('a counterexample belongs to the text that was decided, and to its function', async () => {
+  const page = await open();
+  await decided(page);
+  await write(page, TENSION.replace('refute', 'prove'));
+  await page.waitForSelector('.verdicts .verdict.wrong');
+  await decided(page);
+  await page.click('#tab-verdicts');
+  await page.click('li.wrong button');
+  // The claim is about one function, and the point lies on it.
+  const circle = page.locator('circle.counterexample');
+  await circle.waitFor();
+  const [at, curve] = [await circle.boundingBox(), await page.locator('path.function[data-function="b[1]"]').boundingBox()];
+  const height = at.y + at.height / 2;
+  assert.ok(height > curve.y - 8 && height < curve.y + curve.height / 2, `${height} beside ${JSON.stringify(curve)}`);
+  assert.match(await page.textContent('.mark-note'), /fails at/);
+  await write(page, TENSION);
+  await decided(page);
+  await page.waitForFunction(() => !document.querySelector('circle.counterexample'));
+  assert.equal(await page.locator('.mark-note').isVisible(), false);
+  await page.context().close();
+});
+
+test('every span has its formulas', async () => {
+  const page = await open();
+  await decided(page);
+  await write(page, `family Hat {
+    domain 0 <= x <= 1, 1 <= x <= 3;
+    f[0] = x^2 | (3 - x)^2/4;
+    f[1] = 1 - f[0];
+}`);
+  await page.waitForFunction(() => document.querySelector('#family').textContent === 'Hat');
+  await page.click('#tab-functions');
+  await page.waitForFunction(() => document.querySelectorAll('#panel-functions .formulas .formula').length >= 6);
+  const lines = await page.locator('#panel-functions .formulas').first().locator('.formula').allTextContents();
+  assert.equal(lines.filter((line) => line.startsWith('on ')).length, 2, lines.join('\n'));
+  assert.equal(lines.length, 6);
+  // The curve ends where the last span does.
+  await page.waitForFunction(() => /C\(3\)/.test(document.querySelector('#panel-functions').textContent));
+  await page.context().close();
+});
+
 test('a mistake has its message at its place', async () => {
   const page = await open();
   await decided(page);

@@ -4,6 +4,7 @@ use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::rational::{self, Rational};
 use basis_engine::model::Parameter;
 use basis_engine::model::angle::Angle;
+use basis_engine::query::function_of;
 use basis_engine::state::as_declared;
 use basis_engine::{Checked, Family, Verdict, Witness};
 
@@ -48,20 +49,13 @@ pub(super) fn failures(family: &Family, checked: &Checked) -> Vec<Failure> {
         let notes = witness.notes.join("; ").replace('`', "");
         let text = format!("{}{}: {notes}", claim.text, if declared { ", declared false" } else { "" });
         let (piece, at) = place(family, witness, &shapes, function);
-        let function = function.or_else(|| only(&labels, &witness.of));
+        let function = function.or_else(|| function_of(family, &witness.of));
         let plays = |p: &Parameter| coordinate(witness, &p.name);
         let shapes = family.shapes.iter().map(plays).collect();
         all.push(Failure { declared, shapes, piece, at, function, text });
     }
     all.sort_by_key(|failure| failure.declared);
     all
-}
-
-/// The one function that an expression such as `b[3] - 1/2` is about, and not its derivative or its value elsewhere.
-fn only(labels: &[String], expression: &str) -> Option<usize> {
-    let mut named = labels.iter().enumerate().filter(|(_, label)| expression.contains(*label));
-    let (k, label) = named.next().filter(|_| !expression.contains("D("))?;
-    (named.next().is_none() && !expression.contains(&format!("{label}("))).then_some(k)
 }
 
 /// The span on which the claim fails, with the place there. A knot is on two spans; of these it is the one on which the

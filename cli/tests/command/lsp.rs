@@ -369,3 +369,43 @@ fn whatever_is_typed_has_an_answer() {
     assert!(editor.response("textDocument/hover", nowhere)["error"]["message"].is_string());
     editor.close();
 }
+
+#[test]
+fn points_of_a_join_are_shown_where_they_are_named() {
+    let spec = "use library \"quadratic\";
+join G1 {
+    curve P = QuadraticBezier(λ1);
+    curve Q = QuadraticBezier(λ2);
+    scalar 0 < δ;
+    assume λ2 > -2;
+    let Q[0] = P[2];
+    let Q[1] = Q[0] + (λ1 + 2)/(δ*(λ2 + 2))*(P[2] - P[1]);
+    prove Q(0) == P(1);
+}
+";
+    let mut editor = Editor::showing(Folder::new(), "j.basis", spec);
+    let both = editor.hover("j.basis", spec, "Q(0)", 0);
+    assert!(both.contains("Q[0] = P[2]\nQ[1] = "), "{both}");
+    let one = editor.hover("j.basis", spec, "Q[0] +", 0);
+    assert!(one.ends_with("```basis\nQ[0] = P[2]\n```"), "{one}");
+    assert!(!editor.hover("j.basis", spec, "P = ", 0).contains("P[2]"), "it is given");
+    editor.close();
+}
+
+#[test]
+fn a_claim_that_fails_in_many_orders_has_one_message() {
+    let spec = "family F(n in 1..=5) {
+    domain 0 <= t <= 1;
+    b[i] = binomial(n, i)*t^i*(1 - t)^(n - i) for i in 0..=n;
+    prove b[0] <= 1/2;
+    prove b[0] <= 1;
+}
+";
+    let mut editor = Editor::open(Folder::new());
+    editor.show("f.basis", spec);
+    let errors = editor.errors(1);
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    let message = errors[0]["message"].as_str().expect("it is a text");
+    assert!(message.contains("4 more claims of this statement: the same verdict"), "{message}");
+    editor.close();
+}

@@ -7,6 +7,7 @@ use crate::claim::Claim;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::generate;
 use crate::model::{Family, Library, Selected};
+use crate::plural::count;
 use crate::source::{Files, Source, SourceId, Sources};
 use crate::state::{self, Prover, Run, Verdict};
 use crate::subject::Subject;
@@ -88,15 +89,34 @@ impl Analysis {
         false
     }
 
-    /// The messages about the text so far, those about claims included.
+    /// The messages about the text so far, those about claims included. Of the claims of one statement with the same verdict,
+    /// such as those of many orders, the first stands for all.
     pub fn messages(&self) -> Vec<Diagnostic> {
-        let mut all: Diagnostics = self.diagnostics.iter().cloned().collect();
+        let mut claims: Vec<(Diagnostic, usize)> = Vec::new();
+        let mut known = BTreeMap::new();
         for item in &self.items {
             let verdicts = item.claims.iter().filter_map(|(claim, verdict)| Some((claim, verdict.as_ref()?)));
-            all.extend(
-                verdicts.filter_map(|(claim, verdict)| state::diagnose(&item.subject, claim, verdict)),
-            );
+            for (claim, verdict) in verdicts {
+                let Some(message) = state::diagnose(&item.subject, claim, verdict) else { continue };
+                let kind = (matches!(verdict, Verdict::Proved(_)), matches!(verdict, Verdict::Refuted(_)));
+                let first = match &claim.place {
+                    Place::Text(id, range) => {
+                        *known.entry((*id, range.start, range.end, kind)).or_insert(claims.len())
+                    }
+                    Place::Token(..) => claims.len(),
+                };
+                match claims.get_mut(first) {
+                    Some((_, others)) => *others += 1,
+                    None => claims.push((message, 0)),
+                }
+            }
         }
+        let with_others = |(message, others): (Diagnostic, usize)| match others {
+            0 => message,
+            _ => message.note(format!("{} of this statement: the same verdict", count(others, "more claim"))),
+        };
+        let mut all: Diagnostics = self.diagnostics.iter().cloned().collect();
+        all.extend(claims.into_iter().map(with_others));
         all.into_list()
     }
 

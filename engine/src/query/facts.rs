@@ -11,9 +11,10 @@ use super::lex::tokens;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::diagnostic::Place;
-use crate::explain::{exceptional_set, formulas};
-use crate::model::{Family, Library, Selected};
+use crate::explain::{exceptional_set, formulas, written};
+use crate::model::{Family, Function, Library, Selected};
 use crate::plan::form::IntervalForm;
 use crate::source::{Files, Source};
 use crate::state::{Prover, Run, Verdict};
@@ -227,7 +228,7 @@ fn candidates(family: &Family) -> Vec<Candidate> {
     if family.interval().is_some() {
         all.push(Candidate::Property((1..=3).rev().map(|k| format!("continuity({k})")).collect()));
     }
-    if family.order.is_empty() && family.analytic.is_empty() {
+    if family.order.is_empty() {
         all.extend(ends(family));
         all.extend(bernstein_values(family));
     }
@@ -258,28 +259,28 @@ pub fn independent_claim(family: &Family, set: &ExceptionalSet) -> Option<String
     Some(format!("independent except {}", exceptions.join(", ")))
 }
 
+/// The work for the derivatives at the ends; formulas that take more are of no use to a reader.
+const ENDS: u64 = 2_000_000;
+
 /// The values and the first two derivatives at both ends of an interval, as blocks.
 fn ends(family: &Family) -> Vec<Candidate> {
-    let Some((var, low, high)) = family.interval() else { return Vec::new() };
-    // Values in tangents of angles would not be written so.
-    if !family.analytic.is_empty() || family.leaves_an_end_out() {
+    let (Some((var, ..)), Some(ends)) = (family.interval(), family.end_texts()) else { return Vec::new() };
+    if family.leaves_an_end_out() {
         return Vec::new();
     }
-    let (name, b) = (&family.names[var.0], &family.function_name);
+    let angle = family.analytic.angle(var);
+    let (name, b) = (angle.map_or(&family.names[var.0], |angle| &angle.name), &family.function_name);
+    let work = &mut Work::new(ENDS);
     let mut blocks = Vec::new();
-    for end in [low, high] {
+    for (upper, end) in [false, true].into_iter().zip(ends) {
+        let derivatives = |f: &Function| family.derivatives_at_end(&f.value, 2, upper, work);
+        let Some(all) = family.functions.iter().map(derivatives).collect::<Option<Vec<_>>>() else {
+            continue;
+        };
         let mut lines = Vec::new();
         for order in 0..=2 {
-            let values: Option<Vec<String>> = family
-                .functions
-                .iter()
-                .map(|f| {
-                    let derivative = (0..order).fold(f.value.clone(), |f, _| f.derivative(var));
-                    let value = derivative.substitute(var, &Fraction::constant(end.clone()))?;
-                    Some(value.display(&family.names))
-                })
-                .collect();
-            let Some(values) = values else { continue };
+            let text = |all: &Vec<Fraction>| Some(written(family, all.get(order)?));
+            let Some(values) = all.iter().map(text).collect::<Option<Vec<_>>>() else { continue };
             let left = match order {
                 0 => b.clone(),
                 1 => format!("D({b})"),
@@ -338,6 +339,18 @@ fn linear(p: &Poly) -> Option<(Var, Rational)> {
     Some((var, -constant.checked_div(&slope)?))
 }
 
+/// The function that an expression is about: `b[3]`, or the only one in `b[3] - 1/2`, but not its derivative or its value
+/// elsewhere.
+pub fn function_of(family: &Family, expression: &str) -> Option<usize> {
+    let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
+    if let Some(k) = labels.iter().position(|label| label == expression) {
+        return Some(k);
+    }
+    let mut named = labels.iter().enumerate().filter(|(_, label)| expression.contains(*label));
+    let (k, label) = named.next().filter(|_| !expression.contains("D("))?;
+    (named.next().is_none() && !expression.contains(&format!("{label}("))).then_some(k)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -372,6 +385,25 @@ mod tests {
                 "prove at λ = 0 { b = Bernstein(2); }",
             ]
         );
+    }
+
+    #[cfg(feature = "angles")]
+    #[test]
+    fn ends_of_angles_and_exponentials_have_values() {
+        let found = statements(
+            "family A {
+    domain 0 <= t <= α;
+    shape 0 < α < pi;
+    b[0] = sin(α - t)/sin(α);
+    b[1] = sin(t)/sin(α);
+}",
+            "A",
+        );
+        let start = "prove at t = 0 {\n    b = [1, 0];\n    D(b) = [-cos(α)/sin(α), 1/sin(α)];\n    D(b, 2) = [-1, 0];\n}";
+        assert!(found.iter().any(|s| s == start), "{found:?}");
+        assert!(found.iter().any(|s| s.starts_with("prove at t = α {\n    b = [0, 1];")), "{found:?}");
+        let found = statements("family E { domain 0 <= t <= 2; f[0] = exp(-t); f[1] = 1 - exp(-t); }", "E");
+        assert!(found.iter().any(|s| s.contains("f = [exp(-2), 1 - exp(-2)];")), "{found:?}");
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub use crate::syntax::GREEK;
 pub use analysis::{Analysed, Analysis, Statement};
 pub use complete::{Around, Suggestion, SuggestionKind, suggestions};
 pub use document::{Document, Entry, Import, Occurrence, Role, Symbol, SymbolKind};
-pub use facts::{FunctionFacts, Holds, claims_that_hold, function_facts, independent_claim};
+pub use facts::{FunctionFacts, Holds, claims_that_hold, function_facts, function_of, independent_claim};
 pub use format::{FormatError, format};
 pub use lex::{Token, TokenKind, tokens};
 pub use vocabulary::{WORDS, Word, WordKind, is_name, word};

@@ -22,6 +22,30 @@ fn equation((left, right): &(String, String)) -> Value {
 
 /// The functions in all their forms, and what follows from them.
 pub(crate) fn family(family: &Family) -> Value {
+    // On each span of the domain the functions have formulas of their own.
+    let spans: Vec<Value> = family
+        .pieces
+        .iter()
+        .map(|span| json!({ "domain": domain_of(span), "functions": functions_of(span) }))
+        .collect();
+    let shapes: Vec<Value> = family
+        .shapes
+        .iter()
+        .map(|p| json!({ "declared": math(&family.declared(p)), "doc": p.doc }))
+        .collect();
+    let functions = if spans.is_empty() { functions_of(family) } else { Vec::new() };
+    json!({
+        "title": family.title(),
+        "doc": family.doc,
+        "domain": domain_of(family),
+        "shapes": shapes,
+        "conditions": family.assumed().map(|c| math(&c.text)).collect::<Vec<_>>(),
+        "functions": functions,
+        "spans": spans
+    })
+}
+
+fn functions_of(family: &Family) -> Vec<Value> {
     let function = |f: query::FunctionFacts| {
         let between = f.between.map(|(low, high)| json!([math(&low), math(&high)]));
         json!({
@@ -32,12 +56,10 @@ pub(crate) fn family(family: &Family) -> Value {
             "between": between
         })
     };
-    let functions: Vec<Value> = query::function_facts(family).into_iter().map(function).collect();
-    let shapes: Vec<Value> = family
-        .shapes
-        .iter()
-        .map(|p| json!({ "declared": math(&family.declared(p)), "doc": p.doc }))
-        .collect();
+    query::function_facts(family).into_iter().map(function).collect()
+}
+
+fn domain_of(family: &Family) -> Vec<Value> {
     let factor = |factor: Factor<'_>| match factor {
         Factor::Interval(p) => math(&family.declared(p)),
         Factor::Simplex(..) => {
@@ -49,15 +71,7 @@ pub(crate) fn family(family: &Family) -> Value {
             })
         }
     };
-    let domain: Vec<Value> = family.factors().into_iter().map(factor).collect();
-    json!({
-        "title": family.title(),
-        "doc": family.doc,
-        "domain": domain,
-        "shapes": shapes,
-        "conditions": family.assumed().map(|c| math(&c.text)).collect::<Vec<_>>(),
-        "functions": functions
-    })
+    family.factors().into_iter().map(factor).collect()
 }
 
 /// The ends of a curve with its first two derivatives there; of quotients, which take longer, the first derivative, and
@@ -65,7 +79,17 @@ pub(crate) fn family(family: &Family) -> Value {
 pub(crate) fn ends(family: &Family) -> Value {
     let order = if family.is_rational() { 1 } else { 2 };
     let known = family.interval().is_some() && family.analytic.is_empty();
-    let ends = if known { explain::end_derivatives(family, order) } else { Vec::new() };
+    let of = |family: &Family| if known { explain::end_derivatives(family, order) } else { Vec::new() };
+    let ends = match (family.pieces.first(), family.pieces.last()) {
+        // The start of the first span and the end of the last one.
+        (Some(first), Some(last)) => {
+            let (mut first, last) = (of(first), of(last));
+            first.truncate(first.len() / 2);
+            first.extend(last.into_iter().skip(first.len()));
+            first
+        }
+        _ => of(family),
+    };
     json!({ "ends": ends.iter().map(equation).collect::<Vec<_>>() })
 }
 

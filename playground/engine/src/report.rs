@@ -1,7 +1,7 @@
 //! What is known of the open spec: its families and theorems, verdicts at statements, messages with places.
 
 use basis_engine::diagnostic::Place;
-use basis_engine::query::{Analysis, Statement};
+use basis_engine::query::{self, Analysis, Statement};
 use basis_engine::state::as_declared;
 use basis_engine::{Claim, ClaimKind, Coordinate, Severity, Subject, Verdict, Witness};
 use serde_json::{Value, json};
@@ -114,8 +114,7 @@ fn claim(analysis: &Analysis, (subject, claim, verdict): &(&Subject, &Claim, &Ve
     };
     let witness = match (verdict, subject) {
         (Verdict::Refuted(witness), Subject::Family(family)) => {
-            let labels = (0..family.functions.len()).map(|k| family.function_label(k));
-            let function = labels.into_iter().position(|label| label == witness.of);
+            let function = query::function_of(family, &witness.of);
             Some(json!({ "at": numbers(witness), "function": function, "point": witness.point() }))
         }
         (Verdict::Refuted(witness), Subject::Theorem(_)) => Some(json!({ "point": witness.point() })),

@@ -97,10 +97,14 @@ fn of_symbol(text: &Text, analysis: &Analysis, symbol: &Symbol, offset: usize) -
         (SymbolKind::Shape, Some(family)) => shape(text, family, symbol),
         (SymbolKind::Domain, Some(family)) => format!("\n\non `{}`", domain::describe(family)),
         (SymbolKind::Family, Some(family)) => summary(analysis, family),
-        (SymbolKind::Join | SymbolKind::Theorem, _) => theorem(analysis, &symbol.name),
-        (SymbolKind::Let | SymbolKind::Scalar | SymbolKind::Patch, _) => {
-            format!("\n\n```basis\n{}\n```", text.document.slice(&symbol.whole))
+        (SymbolKind::Join | SymbolKind::Theorem, _) => theorem(analysis, &symbol.name, |_| true),
+        (SymbolKind::Patch, _) => {
+            let one = label(text, offset);
+            let all = format!("{}[", symbol.name);
+            let own = |point: &str| one.as_ref().map_or_else(|| point.starts_with(&all), |one| point == one);
+            format!("\n\n{}{}", written(text, symbol), theorem(analysis, &item.title, own))
         }
+        (SymbolKind::Let | SymbolKind::Scalar, _) => format!("\n\n{}", written(text, symbol)),
         _ => String::new(),
     };
     let facts = if facts.is_empty() { declaration(text, symbol) } else { facts };
@@ -177,7 +181,7 @@ fn label(text: &Text, offset: usize) -> Option<String> {
     let document = &text.document;
     let name = document.at(offset)?;
     let open = document.tokens.partition_point(|t| t.range.start < name.range.end);
-    let bracket = document.tokens.get(open)?;
+    let bracket = document.tokens.get(open).filter(|t| t.text(&document.text) == "[")?;
     let inside = document.tokens.get(open + 1..bracket.partner?)?;
     let numbers: Vec<&str> =
         inside.iter().filter(|t| t.kind == TokenKind::Number).map(|t| t.text(&document.text)).collect();
@@ -228,12 +232,20 @@ fn summary(analysis: &Analysis, family: &Family) -> String {
     value + &format!("\n\n{fine} of {} as declared", crate::name::count(claims().count(), "claim"))
 }
 
-/// The control points that a join determines.
-fn theorem(analysis: &Analysis, name: &str) -> String {
+/// A declaration as it stands in the text.
+fn written(text: &Text, symbol: &Symbol) -> String {
+    format!("```basis\n{}\n```", text.document.slice(&symbol.whole))
+}
+
+/// The control points that a join determines, those that are asked for.
+fn theorem(analysis: &Analysis, name: &str, wanted: impl Fn(&str) -> bool) -> String {
     let subject = analysis.items.iter().map(|item| &item.subject).find(|s| s.name() == name);
     let Some(Subject::Theorem(theorem)) = subject else { return String::new() };
     let points = explain::determined_points(theorem);
-    let lines: Vec<String> =
-        points.iter().map(|(point, value)| format!("{point} = {}\n", cut(value))).collect();
+    let lines: Vec<String> = points
+        .iter()
+        .filter(|(point, _)| wanted(point))
+        .map(|(point, value)| format!("{point} = {}\n", cut(value)))
+        .collect();
     if lines.is_empty() { String::new() } else { format!("\n\n```basis\n{}```", lines.concat()) }
 }
