@@ -75,13 +75,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH)?.as_secs();
     let seed = arguments.get(2).map_or(Ok(now), |s| s.parse())?;
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    // What is only read is of the same language.
+    let language = if name == "parser" { "spec" } else { name };
     let mut corpus = Vec::new();
-    let mut paths: Vec<_> = fs::read_dir(folder.join("corpus").join(name))?.collect::<Result<_, _>>()?;
+    let mut paths: Vec<_> = fs::read_dir(folder.join("corpus").join(language))?.collect::<Result<_, _>>()?;
     paths.sort_by_key(fs::DirEntry::path);
     for entry in paths {
         corpus.push(fs::read(entry.path())?);
     }
-    let dictionary = fs::read_to_string(folder.join(format!("{name}.dict"))).unwrap_or_default();
+    let dictionary = fs::read_to_string(folder.join(format!("{language}.dict"))).unwrap_or_default();
     let words: Vec<Vec<u8>> = dictionary.lines().filter_map(word).collect();
     let random = &mut Random(seed);
     println!("{name}: seed {seed}");

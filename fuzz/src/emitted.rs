@@ -44,7 +44,7 @@ pub fn of_library(file: &str) {
 fn one(checked: Checked) {
     let wanted = Wanted { checked, name: Some(String::from("Tried")) };
     let Subject::Family(told) = &wanted.checked.subject else { return };
-    let Ok(family) = generate::evaluated(told) else { return };
+    let Ok(family) = generate::evaluated(told, &wanted.checked.claims) else { return };
     let language = C(Scalar::F64);
     let Ok(code) = FamilyCode::new(told, &family, &wanted, &language) else { return };
     if code.steps.spans() > 1 || code.steps.derived().is_some() {

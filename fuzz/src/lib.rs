@@ -10,6 +10,7 @@ pub mod emitted;
 use std::rc::Rc;
 
 use basis_engine::algebra::work::Work;
+use basis_engine::query::format;
 use basis_engine::{Disk, Library, Prover, Request, Severity, Source, Verdict};
 use basis_kernel::algebra::poly::{Poly, Var};
 use basis_kernel::algebra::range::{Range, Region};
@@ -19,7 +20,8 @@ use basis_runtime::bspline::{BSplineCurve, BSplineSurface, KnotVector, Net, Nurb
 use basis_runtime::{BernsteinBasis, ParametricCurve, Surface, TensorSurface, Tessellation};
 
 /// The targets by name.
-pub const TARGETS: [(&str, fn(&[u8])); 6] = [
+pub const TARGETS: [(&str, fn(&[u8])); 7] = [
+    ("parser", parser),
     ("spec", spec),
     ("certificate", certificate),
     ("tokens", tokens),
@@ -33,6 +35,27 @@ const MAX_TEXT: usize = 2048;
 
 fn as_text(data: &[u8]) -> Option<&str> {
     std::str::from_utf8(data).ok().filter(|text| text.len() <= MAX_TEXT)
+}
+
+/// A spec as a file that is read and not expanded: every message can be shown, and without errors it has none in the standard
+/// layout either, which stays as it is.
+pub fn parser(data: &[u8]) {
+    let Some(text) = as_text(data) else { return };
+    let is_wrong = |text: &str| {
+        let library = Library::from_source(&Disk, &Prover, Source::text("fuzz.basis", text));
+        let all = library.diagnostics();
+        for diagnostic in &all {
+            let shown = diagnostic.render(library.sources(), false);
+            assert!(shown.starts_with("error: ") || shown.starts_with("warning: "), "{shown}");
+        }
+        all.iter().any(|d| d.severity == Severity::Error)
+    };
+    if is_wrong(text) {
+        return;
+    }
+    let laid_out = format(text).expect("a spec without errors has its brackets in pairs");
+    assert!(!is_wrong(&laid_out), "of\n{text}");
+    assert_eq!(format(&laid_out).as_ref(), Ok(&laid_out), "of\n{text}");
 }
 
 /// A spec as a file: every message can be shown, every verdict checks out from the text of its certificate or witness.

@@ -190,7 +190,7 @@ fn miri(root: &Path) -> Outcome {
 }
 
 fn fuzz(root: &Path) -> Outcome {
-    let targets = ["spec", "certificate", "tokens", "knots", "nets", "emitted"];
+    let targets = ["parser", "spec", "certificate", "tokens", "knots", "nets", "emitted"];
     if subcommand(root, "fuzz").is_ok() {
         for target in targets {
             let found = root.join("target/fuzz").join(target);
@@ -198,15 +198,20 @@ fn fuzz(root: &Path) -> Outcome {
             // The sanitizer has a step of its own, and takes half of the speed. The first folder is for what is found.
             let line = format!("cargo fuzz run --sanitizer none {target}");
             let mut run = unstable(command(root, &line));
-            run.arg(&found).arg(root.join("fuzz/corpus").join(target));
-            let is_spec = matches!(target, "tokens" | "emitted");
+            run.arg(&found);
+            // Of the parser the corpus is that of specs.
+            let own = root.join("fuzz/corpus").join(target);
+            if own.exists() {
+                run.arg(own);
+            }
+            let is_spec = matches!(target, "parser" | "tokens" | "emitted");
             if is_spec {
                 run.arg(root.join("fuzz/corpus/spec")); // the same language: its own folder has what this one lacks
             }
             run.arg("--");
             run.args(["-max_total_time=1200", "-timeout=10", "-rss_limit_mb=512", "-max_len=2048"]);
             run.arg("-print_final_stats=1");
-            let dictionary = if target == "emitted" { "spec" } else { target };
+            let dictionary = if matches!(target, "parser" | "emitted") { "spec" } else { target };
             let dictionary = root.join(format!("fuzz/{dictionary}.dict"));
             if dictionary.exists() {
                 run.arg(format!("-dict={}", dictionary.display()));
@@ -282,7 +287,7 @@ mod tests {
     #[test]
     fn targets_are_those_of_the_folder() {
         let manifest = include_str!("../../fuzz/Cargo.toml");
-        for target in ["spec", "certificate", "tokens", "knots", "nets", "emitted"] {
+        for target in ["parser", "spec", "certificate", "tokens", "knots", "nets", "emitted"] {
             assert!(manifest.contains(&format!("name = \"{target}\"")), "{target}");
         }
     }

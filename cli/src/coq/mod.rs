@@ -94,6 +94,10 @@ impl Export {
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;
             };
+            if !family.analytic.is_empty() && !family.constraints.is_empty() {
+                self.missing.extend(decided.claims.iter().map(|c| missing(c, theorem::ASSUMED)));
+                continue;
+            }
             if !family.analytic.is_empty() {
                 match Text::of_angles(outcome, decided, family, formulas) {
                     Ok((text, left_out)) => {
@@ -105,8 +109,10 @@ impl Export {
                 }
                 continue;
             }
+            // What is proved under an assumption need not hold on all ranges, and theorems are about these.
+            let all = family.obligations.iter().chain(&decided.obligations);
             let obligations: Vec<&Obligation> =
-                family.obligations.iter().chain(&decided.obligations).collect();
+                if family.constraints.is_empty() { all.collect() } else { Vec::new() };
             // On a simplex one of the coordinates is expressed by the others.
             let cancel = |family: &Family, functions: &[usize]| {
                 family.simplices.is_empty() && quotients::cancel(family, formulas, functions, &obligations)
@@ -115,7 +121,8 @@ impl Export {
             if spans.into_iter().any(|(piece, functions)| cancel(piece, functions))
                 || family.pieces.is_empty() && cancel(family, &formulas.functions)
             {
-                let why = "a quotient that is brought into lowest terms";
+                let lowest = "a quotient that is brought into lowest terms";
+                let why = if family.constraints.is_empty() { lowest } else { theorem::ASSUMED };
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;
             }

@@ -15,6 +15,9 @@ use super::quotients;
 /// Why there is no theorem for a claim.
 pub(super) type Missing = &'static str;
 
+/// Why only equations are exported of families with assumptions: they hold without them.
+pub(super) const ASSUMED: Missing = "a claim under an assumption";
+
 /// A theorem for each comparison of a claim that is proved, with its own identifier if there are several.
 pub(super) fn each_proved(
     name: &str,
@@ -81,7 +84,7 @@ impl Subject<'_> {
             Verdict::Undecided(_) => Err("an undecided claim"),
             Verdict::Proved(evidence) => {
                 if let ClaimKind::Independent(except) = &claim.kind {
-                    self.of_one_span()?;
+                    self.is_simple()?;
                     let (_, proof) = evidence.steps().first().ok_or("a claim without a proof")?;
                     return self.independent(name, except, proof);
                 }
@@ -93,8 +96,13 @@ impl Subject<'_> {
         }
     }
 
-    fn of_one_span(&self) -> Result<(), Missing> {
-        if self.family.pieces.is_empty() { Ok(()) } else { Err("independence on several spans") }
+    /// Independence is about one span, without assumptions.
+    fn is_simple(&self) -> Result<(), Missing> {
+        match (self.family.pieces.is_empty(), self.family.constraints.is_empty()) {
+            (false, _) => Err("independence on several spans"),
+            (_, false) => Err(ASSUMED),
+            _ => Ok(()),
+        }
     }
 
     pub(super) fn writer<'w>(&'w self, variables: &'w dyn Fn(usize) -> Option<String>) -> Writer<'w> {
@@ -127,6 +135,7 @@ impl Subject<'_> {
                 let frame = Frame::new(family, self.names, &claimed.fixed, None);
                 (frame, Vec::new(), Vec::new(), None)
             }
+            Statement::Sign { .. } if !family.constraints.is_empty() => return Err(ASSUMED),
             Statement::Sign { value, domain, .. } => {
                 let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
                 let chart = chart.map_err(|_| "a domain that has no chart")?;
@@ -230,8 +239,11 @@ impl Subject<'_> {
         witness: &Witness,
     ) -> Result<String, Missing> {
         if let ClaimKind::Independent(except) = &claim.kind {
-            self.of_one_span()?;
+            self.is_simple()?;
             return self.refuted_independence(name, except, witness);
+        }
+        if !self.family.constraints.is_empty() {
+            return Err(ASSUMED);
         }
         let subject = basis_engine::Subject::Family(std::rc::Rc::new(self.family.clone()));
         let statements = state::statements(&subject, claim, &[]).ok_or("a claim that is too long")?;

@@ -1,4 +1,4 @@
-//! `basis check --coq`: families on several spans, and integrals.
+//! `basis check --coq`: families on several spans, integrals, parameters with indices and assumptions.
 
 use std::fs;
 
@@ -55,6 +55,36 @@ family Wedge {
 }
 ";
 
+/// Parameters that share a name; an assumption, without which the equations hold as well.
+const PARAMETERS: &str = "\
+family Several {
+    domain 0 <= t <= 1;
+    shape 0 <= c[i] <= i for i in 1..=2;
+    b[0] = (1 - t)*(1 + c[1]*t);
+    b[1] = t - c[1]*t + c[1]*t^2 + (c[2] - c[2])*t;
+    prove partition_of_unity;
+    prove b[0] >= 0;
+    prove at c = 0 { b = Bernstein(1); }
+    prove at c[1] = 1 { b[0] = 1 - t^2; }
+    refute b[1] = t;
+}
+family Assumed {
+    domain 0 <= t <= 1;
+    shape 0 <= k <= 1, 0 <= m <= 1;
+    assume k <= m;
+    b[0] = (1 + k*t)/(1 + m);
+    prove (1 + m)*b[0] = 1 + k*t;
+    prove b[0] <= 1;
+}
+family Below {
+    domain 0 <= t <= 1;
+    shape 0 <= k <= 1, 0 <= m <= 1;
+    assume 1 <= k + m;
+    b[0] = t/(k + m);
+    prove (k + m)*b[0] = t;
+}
+";
+
 fn refuses(folder: &Folder, file: &str, changes: &[(&str, &str)]) {
     let folder = folder.path().join("v");
     let text = fs::read_to_string(folder.join(file)).expect("it is written");
@@ -101,6 +131,44 @@ fn integrals_are_stated_as_such() {
     let inner = "RInt (fun x''' => b_0 x'' x''' x' (1 - x'' - x''')) 0 (1 - x'')";
     let part = format!("  is_RInt (fun x' => RInt (fun x'' => {inner}) 0 1) 0 1 (1 / 48).\n");
     assert!(wedge.contains(&part), "{wedge}");
+}
+
+#[test]
+fn parameters_share_a_name_and_equations_need_no_assumption() {
+    let folder = Folder::with("own.basis", PARAMETERS);
+    let run = folder.run(&["check", "--coq", "v", "own.basis"]);
+    let last = "Coq: 7 theorems in 2 files, 2 claims not exported:
+  own.basis:18: Assumed: `b[0] <= 1`: a claim under an assumption
+  own.basis:25: Below: `(k + m)*b[0] = t`: a claim under an assumption\n";
+    assert!(run.stdout.ends_with(last), "{}", run.stdout);
+    let text = fs::read_to_string(folder.path().join("v/own_Several.v")).expect("it is written");
+    for part in [
+        "Definition b_0 (c_1 c_2 t : R) : R :=\n  (1 - t) * (1 + c_1 * t).\n",
+        "  c_1 = 0 ->\n  c_2 = 0 ->\n  b_0 c_1 c_2 t = Bernstein_1_b_0 t.\n",
+        "  c_1 = 1 ->\n  b_0 c_1 c_2 t = 1 - t ^ 2.\n",
+    ] {
+        assert!(text.contains(part), "`{part}` is not in\n{text}");
+    }
+}
+
+#[test]
+#[ignore = "needs Coq and Coquelicot"]
+fn coq_accepts_parameters_that_share_a_name() {
+    let folder = Folder::with("own.basis", PARAMETERS);
+    folder.run(&["check", "--coq", "v", "own.basis"]);
+    refuses(
+        &folder,
+        "own_Several.v",
+        &[
+            ("(1 - t) * (1 + c_1 * t)", "(1 - t) * (1 + c_2 * t)"),
+            (
+                "  0 <= c_1 <= 1 ->\n  0 <= c_2 <= 2 ->\n  0 <= t <= 1 ->\n  b_0 c_1 c_2 t >= 0",
+                "  (-2) <= c_1 <= 1 ->\n  0 <= c_2 <= 2 ->\n  0 <= t <= 1 ->\n  b_0 c_1 c_2 t >= 0",
+            ),
+            ("  c_1 = 1 ->\n", "  c_2 = 1 ->\n"),
+        ],
+    );
+    refuses(&folder, "own_Assumed.v", &[("= 1 + k * t.", "= 1 + m * t.")]);
 }
 
 /// A denominator that contains the variable has no antiderivative that Coq computes: listed.

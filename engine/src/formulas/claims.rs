@@ -31,15 +31,8 @@ impl Reader<'_, '_> {
                     self.relation(scope, relation, Some(&[]), &mut all)?;
                 }
                 syntax::ClaimKind::At(bindings, relations) => {
-                    let fixed = bindings.iter().map(|Binding { name, value, indices }| {
-                        if !indices.is_empty() {
-                            return None;
-                        }
-                        let var = scope.names.iter().position(|n| *n == name.text)?;
-                        let value = self.scalar(scope, value)?;
-                        Some((var, self.number_of(&value).map_or(value, Term::Number)))
-                    });
-                    let fixed = fixed.collect::<Option<Vec<_>>>();
+                    let fixed = bindings.iter().map(|binding| self.fixed(scope, binding));
+                    let fixed = fixed.collect::<Option<Vec<_>>>().map(|all| all.concat());
                     for relation in relations {
                         self.relation(scope, relation, fixed.as_deref(), &mut all)?;
                     }
@@ -54,6 +47,22 @@ impl Reader<'_, '_> {
             }
         }
         (all.len() == kinds.len()).then_some(all)
+    }
+
+    /// The variables that have a value in an `at` block: one, or all shape parameters that share a name.
+    fn fixed(&mut self, scope: &Scope<'_>, binding: &Binding) -> Option<Vec<(usize, Term)>> {
+        let Binding { name, value, indices } = binding;
+        let value = self.scalar(scope, value)?;
+        let value = self.number_of(&value).map_or(value, Term::Number);
+        let index = indices.iter().map(|i| self.whole(scope, i)).collect::<Option<Vec<i64>>>()?;
+        if index.is_empty() {
+            let several = scope.indexed(&name.text);
+            if !several.is_empty() {
+                return Some(several.into_iter().map(|(_, v)| (v, value.clone())).collect());
+            }
+            return Some(vec![(scope.names.iter().position(|n| *n == name.text)?, value)]);
+        }
+        Some(vec![(scope.parameter(&name.text, &index)?, value)])
     }
 
     /// One equation, inequality or chain, for each value of its index variables.

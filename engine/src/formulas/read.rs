@@ -117,8 +117,8 @@ impl Reader<'_, '_> {
         family: &Family,
         written: &'w syntax::Family,
     ) -> Option<()> {
-        // What is assumed of shape values is not exported.
-        if !family.constraints.is_empty() || !family.determined.is_empty() {
+        // A parameter that an assumption determines stands for something else.
+        if !family.determined.is_empty() {
             return None;
         }
         let recursive =

@@ -7,7 +7,7 @@ use std::rc::Weak;
 use super::{Definition, Term};
 use crate::algebra::poly::Var;
 use crate::algebra::range::End;
-use crate::model::{Factor, Family, Library};
+use crate::model::{Factor, Family, Library, label};
 use crate::syntax::{self, Expr, FunctionDef, NameDef, StatementKind};
 use basis_prover::collections::map::SortedMap;
 
@@ -164,11 +164,28 @@ impl<'w> Scope<'w> {
         self.planned.borrow().keys().next().cloned()
     }
 
+    /// The shape parameter with a name and an index.
+    pub(super) fn parameter(&self, name: &str, index: &[i64]) -> Option<usize> {
+        let label = label(name, index);
+        self.names.iter().position(|n| *n == label)
+    }
+
+    /// The shape parameters that share a name, with their indices.
+    pub(super) fn indexed(&self, name: &str) -> Vec<(Vec<i64>, usize)> {
+        let index = |(v, full): (usize, &String)| {
+            let inside = full.strip_prefix(name)?.strip_prefix('[')?.strip_suffix(']')?;
+            let index = inside.split(',').map(|i| i.trim().parse().ok()).collect::<Option<Vec<i64>>>()?;
+            Some((index, v))
+        };
+        self.names.iter().enumerate().filter_map(index).collect()
+    }
+
     /// Whether a name has a meaning of its own, so that it is no family.
     pub(super) fn is_taken(&self, name: &str) -> bool {
         name == self.function_name
             || self.constant(name).is_some()
             || self.names.iter().any(|n| n == name)
+            || !self.indexed(name).is_empty()
             || self.lets.iter().any(|def| def.name.text == name)
     }
 

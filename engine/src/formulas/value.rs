@@ -189,6 +189,11 @@ impl Reader<'_, '_> {
                         None => return None,
                     }));
                 }
+                if let ExprKind::Name(name) = &base.kind
+                    && let Some(var) = scope.parameter(name, &index)
+                {
+                    return Some(Value::Scalar(Term::Variable(var)));
+                }
                 let Value::List(list) = self.value(scope, base)? else { return None };
                 Value::Scalar(list.into_iter().find(|(i, _)| *i == index)?.1)
             }
@@ -225,6 +230,10 @@ impl Reader<'_, '_> {
         }
         if let Some(var) = scope.names.iter().position(|n| n == name) {
             return Some(Value::Scalar(Term::Variable(var)));
+        }
+        let several = scope.indexed(name);
+        if !several.is_empty() {
+            return Some(Value::List(several.into_iter().map(|(i, v)| (i, Term::Variable(v))).collect()));
         }
         if let Some(def) = scope.lets.iter().find(|def| def.name.text == name && def.parameters.is_empty()) {
             return self.given(scope, def);
