@@ -18,13 +18,11 @@ mod theorem;
 mod theorem;
 mod verdict;
 
-#[cfg(any(test, feature = "tools"))]
-pub use family::point_name;
 pub use family::{Table, statements as family_statements, table};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use family::{combination_text, moves};
 #[cfg(any(test, feature = "rounding"))]
-pub use family::{point_error, value_errors};
+pub use family::{point_error, point_name, value_errors};
 pub use judge::Prover;
 pub use parts::{FEW, Part, Standing, parts};
 pub use report::diagnose;

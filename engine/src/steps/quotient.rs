@@ -329,7 +329,9 @@ impl<'a> Quotients<'a> {
         let mut weights = span.weights(&mut builder);
         if let Some(powers) = span.powers(&mut builder, rows.len()) {
             for (power, row) in powers.iter().zip(&mut rows) {
-                row.iter_mut().for_each(|entry| *entry = builder.mul(*entry, *power));
+                for entry in row {
+                    *entry = builder.mul(*entry, *power);
+                }
             }
             weights = weights.map(|weights| builder.scaled(&weights, &powers));
         }

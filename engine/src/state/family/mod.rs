@@ -41,10 +41,8 @@ pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{Table, table};
-#[cfg(any(test, feature = "tools"))]
-pub use rounding::point_name;
 #[cfg(any(test, feature = "rounding"))]
-pub use rounding::{point_error, value_errors};
+pub use rounding::{point_error, point_name, value_errors};
 
 /// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent.
 fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
