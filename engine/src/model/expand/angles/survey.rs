@@ -304,7 +304,6 @@ fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, seen: &m
                     let place = name.and_then(|name| probe.variable(&name)).zip(probe.scalar(&binding.value));
                     content.places.extend(place);
                 }
-                }
                 for relation in relations {
                     probe_relation(probe, relation);
                 }
