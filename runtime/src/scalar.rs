@@ -128,7 +128,7 @@ mod sealed {
         const EXP: &'static [Self] =
             &[0.5, 0.166_666_67, 0.041_666_463, 0.008_333_311, 0.001_393_390_1, 0.000_198_912_69];
         const LEAST_EXPONENT: Self = -86.0;
-        const LN_2: [Self; 2] = [0.693_359_375, -2.121_944_4e-4];
+        const LN_2: [Self; 2] = [355.0 / 512.0, -2.121_944_4e-4];
         const LOG2_E: Self = core::f32::consts::LOG2_E;
         const TO_WHOLE: Self = 12_582_912.0; // 3/2 2²³
 

@@ -216,6 +216,6 @@ pub(in crate::model::expand) fn are_ordered(
         taken &= [&own.range.low, &own.range.high][side].is_included();
     }
     let (below, above) = pi_bounds();
-    let least = &number + &(&pi * if pi.is_negative() { &above } else { &below });
+    let least = &number + &(&pi * if pi.is_negative() { above } else { below });
     least.is_positive() || number.is_zero() && pi.is_zero() && !taken
 }
