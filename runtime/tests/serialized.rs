@@ -26,6 +26,7 @@ use basis_runtime::{
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::json;
 
 basis!("../../specs/quartic.basis");
 basis!("../../specs/triangular.basis", TriangularII(3));
@@ -51,6 +52,11 @@ fn again<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug + Send + 
     let text = serde_json::to_string(&value).unwrap();
     let read: T = serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
     assert_eq!(read, value, "{text}");
+}
+
+/// A value of a type that only the library makes, from what it is written as.
+fn read<T: DeserializeOwned>(json: serde_json::Value) -> T {
+    serde_json::from_value(json).unwrap()
 }
 
 fn refused<T: Serialize + DeserializeOwned>(value: &T, change: impl Fn(&mut serde_json::Value)) {
@@ -100,28 +106,28 @@ fn bases_forms_and_curves() {
     again(Bezier::from_points([[0.0_f32, 1.0]; 3]));
     let piecewise = PiecewiseCurve::new([curve(), curve()].to_vec()).unwrap();
     again(piecewise.clone());
-    refused(&piecewise, |json| *json = serde_json::json!([]));
-    refused(&curve(), |json| json["basis"]["lambda"] = serde_json::json!(-4.0));
+    refused(&piecewise, |json| *json = json!([]));
+    refused(&curve(), |json| json["basis"]["lambda"] = json!(-4.0));
     refused(&curve(), |json| drop(json["points"].as_array_mut().unwrap().pop()));
-    refused(&EndpointForm::new([0.0, 4.0], [12.0, 1.0]), |json| json["inner"] = serde_json::json!([1.0]));
+    refused(&EndpointForm::new([0.0, 4.0], [12.0, 1.0]), |json| json["inner"] = json!([1.0]));
 
     let conic: RationalCurve<Conic, P> =
         Conic::new(0.5).unwrap().curve([[0.0; 3], [1.0; 3], [2.0, 0.0, 1.0]]);
     again(conic);
-    refused(&conic, |json| json["basis"]["omega"] = serde_json::json!(0.0));
+    refused(&conic, |json| json["basis"]["omega"] = json!(0.0));
     let bezier: RationalBezier<P> = conic.to_rational_bezier();
     again(bezier.clone());
     refused(&bezier, |json| drop(json["weights"].as_array_mut().unwrap().pop()));
-    refused(&bezier, |json| json["domain"] = serde_json::json!([1.0, 1.0]));
+    refused(&bezier, |json| json["domain"] = json!([1.0, 1.0]));
 
     let hat: SpannedCurve<Hat, P> = Hat::new(0.5).unwrap().curve([[0.0; 3], [1.0, 2.0, 4.0]]);
     again(hat);
-    refused(&hat, |json| json["basis"]["d"] = serde_json::json!(-1.0));
+    refused(&hat, |json| json["basis"]["d"] = json!(-1.0));
     let span: SpanOf<Hat> = hat.basis().span(1);
     again(span);
     let spline: RationalSpline<P> = hat.to_rational_spline();
     again(spline.clone());
-    refused(&spline, |json| json["curves"] = serde_json::json!([]));
+    refused(&spline, |json| json["curves"] = json!([]));
 
     let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     again(nearest);
@@ -142,15 +148,16 @@ fn bases_forms_and_curves() {
     again(square);
     meetings.into_iter().for_each(again);
     met.into_iter().for_each(again);
-    again(Joint { gap: 0.5, angle: 1.0, curvature: 2.0, derivatives: [0.0, 1.0, 2.0] });
+    let joint = json!({ "gap": 0.5, "angle": 1.0, "curvature": 2.0, "derivatives": [0.0, 1.0, 2.0] });
+    again(read::<Joint<f64>>(joint));
     again(Contact::Curvature { f: 0.5, c: 2.0 });
-    again(Frame {
-        point: [0.0; 3],
-        tangent: [1.0, 0.0, 0.0],
-        normal: [0.0, 1.0, 0.0],
-        binormal: [0.0, 0.0, 1.0],
-    });
-    again(Root { x: 0.5, crosses: true });
+    again(read::<Frame<P>>(json!({
+        "point": [0.0, 0.0, 0.0],
+        "tangent": [1.0, 0.0, 0.0],
+        "normal": [0.0, 1.0, 0.0],
+        "binormal": [0.0, 0.0, 1.0],
+    })));
+    again(read::<Root<f64>>(json!({ "x": 0.5, "crosses": true })));
     again(Checks::default());
     again(Law::Split);
 }
@@ -165,8 +172,8 @@ fn surfaces_and_meshes() {
     again(rational);
     let swept = SurfaceOfRevolution::new(&curve(), [0.0; 3], [0.0, 0.0, 2.0], 4.0).unwrap();
     again(swept);
-    refused(&swept, |json| json["angle"] = serde_json::json!(7.0));
-    refused(&swept, |json| json["axis"] = serde_json::json!([0.0, 0.0, 0.0]));
+    refused(&swept, |json| json["angle"] = json!(7.0));
+    refused(&swept, |json| json["axis"] = json!([0.0, 0.0, 0.0]));
     // Bézier points with their last digits: the same surface up to these.
     let patch: RevolutionPatch<QuarticBernstein, P> = swept.to_rational_patches()[0];
     let text = serde_json::to_string(&patch).unwrap();
@@ -174,9 +181,10 @@ fn surfaces_and_meshes() {
     assert!(read.eval(0.3, 0.4).iter().zip(patch.eval(0.3, 0.4)).all(|(a, b)| (a - b).abs() < 1e-14));
 
     again(Edge::UStart);
-    let continuity: EdgeContinuity<f64> =
+    let mut continuity: EdgeContinuity<f64> =
         edge_continuity(&surface(), &surface(), EdgePair::along(Edge::UEnd, Edge::UEnd), 5);
-    again(EdgeContinuity { angle: 0.5, curvature: 0.25, gap: 0.0, ..continuity });
+    (continuity.angle, continuity.curvature, continuity.gap) = (0.5, 0.25, 0.0);
+    again(continuity);
     let bend: Curvature<P> =
         serde_json::from_value(serde_json::to_value(surface().curvature(0.5, 0.5).unwrap()).unwrap())
             .unwrap();
@@ -188,7 +196,7 @@ fn surfaces_and_meshes() {
         [[[0.0; 3], [1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]],
     );
     let mesh: Mesh<f64> = Tessellation::new(0.5).unwrap().with(&flat).mesh().unwrap();
-    refused(&mesh, |json| json["triangles"][0][1] = serde_json::json!(99));
+    refused(&mesh, |json| json["triangles"][0][1] = json!(99));
     again(mesh);
 }
 
@@ -196,7 +204,7 @@ fn surfaces_and_meshes() {
 fn patches_on_simplices_and_boxes() {
     again(triangle());
     refused(&triangle(), |json| drop(json["points"].as_array_mut().unwrap().pop()));
-    refused(&triangle(), |json| json["basis"]["lambda1"] = serde_json::json!(0.0));
+    refused(&triangle(), |json| json["basis"]["lambda1"] = json!(0.0));
     again(SimplexPatch::new(TetrahedralLagrange::new(), [[1.0, 2.0], [0.5, 0.0], [0.0, 0.25], [3.0, 4.0]]));
     again(ProductPatch::new(LinearWedge::new(), core::array::from_fn(|i| [i as f64, 0.5])));
     again(BoxPatch::new(Bilinear::new(), [[0.0, 0.0], [0.0, 2.0], [4.0, 0.0], [6.0, 3.0]]));
@@ -204,32 +212,32 @@ fn patches_on_simplices_and_boxes() {
     again(EdgeBasis::new(TriangularII::new(1.5, 2.0).unwrap(), TriangleEdge::W));
     again(triangle().boundary(TriangleEdge::U));
     again(SimplexIndex::new([1, 0, 2]));
-    refused(&SimplexIndex::new([1, 0, 2]), |json| *json = serde_json::json!([1, 2]));
-    refused(&SimplexIndex::new([1, 0, 2]), |json| *json = serde_json::json!([usize::MAX, 1, 2]));
+    refused(&SimplexIndex::new([1, 0, 2]), |json| *json = json!([1, 2]));
+    refused(&SimplexIndex::new([1, 0, 2]), |json| *json = json!([usize::MAX, 1, 2]));
 }
 
 #[test]
 fn splines() {
     let knots = KnotVector::new(2, [0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0]).unwrap();
     again(knots.clone());
-    refused(&knots, |json| json["knots"] = serde_json::json!([0.0, 0.0, 0.0, 0.5, 0.25, 1.0, 1.0]));
-    refused(&knots, |json| json["degree"] = serde_json::json!(9));
+    refused(&knots, |json| json["knots"] = json!([0.0, 0.0, 0.0, 0.5, 0.25, 1.0, 1.0]));
+    refused(&knots, |json| json["degree"] = json!(9));
     let net = Net::from_rows([[1.0, 2.0], [3.0, 4.0]]).unwrap();
     again(net.clone());
-    refused(&net, |json| json["columns"] = serde_json::json!(3));
-    refused(&net, |json| json["columns"] = serde_json::json!(0));
+    refused(&net, |json| json["columns"] = json!(3));
+    refused(&net, |json| json["columns"] = json!(0));
     let curve = BSplineCurve::new(knots.clone(), [[0.0, 1.0], [1.0, 1.0], [2.0, 0.0], [3.0, 1.0]]).unwrap();
     again(curve.clone());
     refused(&curve, |json| drop(json["points"].as_array_mut().unwrap().pop()));
-    again(BezierPiece { domain: [0.0, 0.5], points: [[1.0, 2.0]].to_vec() });
+    again(read::<BezierPiece<[f64; 2]>>(json!({ "domain": [0.0, 0.5], "points": [[1.0, 2.0]] })));
     again(spline());
-    refused(&spline(), |json| json["net"]["columns"] = serde_json::json!(4));
-    again(BezierPatch { domain: [[0.0, 1.0]; 2], net });
+    refused(&spline(), |json| json["net"]["columns"] = json!(4));
+    again(read::<BezierPatch<[f64; 2]>>(json!({ "domain": [[0.0, 1.0], [0.0, 1.0]], "net": net })));
     again(Direction::V);
     again(Homogeneous::new([1.0, 2.0], 0.5));
     let rational = NurbsCurve::new(knots, curve.control_points(), [1.0, 0.5, 2.0, 1.0]).unwrap();
     again(rational.clone());
-    let weight = |json: &mut serde_json::Value| json["points"][0]["weight"] = serde_json::json!(-1.0);
+    let weight = |json: &mut serde_json::Value| json["points"][0]["weight"] = json!(-1.0);
     refused(&rational, |json| weight(&mut json["homogeneous"]));
     again(NurbsSurface::from_homogeneous(spline().map(|p| Homogeneous::new(p, 0.5))).unwrap());
 }
@@ -257,18 +265,21 @@ fn joints_and_networks_of_splines() {
     let network = Network::new([spline(), spline()].to_vec(), [seam].to_vec()).unwrap();
     again(seam);
     again(network.clone());
-    refused(&network, |json| json["seams"][0]["patches"] = serde_json::json!([0, 2]));
-    let measure = JointMeasure { gap: 0.5, gap_at: 0.25, angle: 1.0, angle_at: 0.0 };
-    again(measure);
-    again(Followed { network, changed: [1].to_vec(), seams: [(0, measure)].to_vec() });
+    refused(&network, |json| json["seams"][0]["patches"] = json!([0, 2]));
+    let measure = json!({ "gap": 0.5, "gap_at": 0.25, "angle": 1.0, "angle_at": 0.0 });
+    again(read::<JointMeasure>(measure.clone()));
+    again(read::<Followed<P>>(json!({ "network": network, "changed": [1], "seams": [[0, measure]] })));
     again(FollowOptions::default());
     again(EdgePair::against(Edge::UStart, Edge::UEnd));
     again((Continuity::G0, Method::LeastSquares, Spacing::Chord, SpliceOptions::default()));
     let joint = EdgePair::along(Edge::UEnd, Edge::UEnd);
-    let Splice { spans, .. } = splice(&spline(), &spline(), joint, &SpliceOptions::default()).unwrap();
-    again(Splice { surface: spline(), measure, spans, rounds: 1, change: 0.5 });
+    let mut joined = splice(&spline(), &spline(), joint, &SpliceOptions::default()).unwrap();
+    (joined.surface, joined.measure, joined.change) = (spline(), read(measure), 0.5);
+    again::<Splice<P>>(joined);
     again((PointConstraint::At([0.5, 0.25], [1.0, 0.0, 2.0]), PointConstraint::Nearest([1.0, 0.0, 2.0])));
-    again(Constrained { surface: spline(), parameters: [[0.5, 0.25]].to_vec(), change: 0.5, miss: 0.0 });
+    again(read::<Constrained<P>>(
+        json!({ "surface": spline(), "parameters": [[0.5, 0.25]], "change": 0.5, "miss": 0.0 }),
+    ));
     again(spline().nearest([0.0; 3], 1e-9).unwrap());
 }
 

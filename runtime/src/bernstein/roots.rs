@@ -13,6 +13,7 @@ const DEPTH: u32 = 56;
 /// A zero of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Root<S> {
     /// Where the zero is.
     pub x: S,

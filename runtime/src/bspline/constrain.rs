@@ -36,6 +36,7 @@ pub enum PointConstraint<P: Point> {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
+#[non_exhaustive]
 pub struct Constrained<P: Point> {
     /// The surface, over the same knots.
     pub surface: BSplineSurface<P>,

@@ -47,6 +47,7 @@ pub struct BSplineCurve<P: Point> {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
+#[non_exhaustive]
 pub struct BezierPiece<P: Point> {
     /// The ends of its span.
     pub domain: [P::Scalar; 2],

@@ -44,6 +44,7 @@ pub struct BSplineSurface<P: Point> {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
+#[non_exhaustive]
 pub struct BezierPatch<P: Point> {
     /// The ends of its spans, in `u` and in `v`.
     pub domain: [[P::Scalar; 2]; 2],

@@ -18,6 +18,7 @@ use crate::{Basis, Curve, CurveError, Form, Point, Point3, Scalar};
         deserialize = "P: Read<'de>, P::Vector: serde::Deserialize<'de>"
     ))
 )]
+#[non_exhaustive]
 pub struct Frame<P: Point> {
     /// The point of the curve.
     pub point: P,

@@ -6,6 +6,7 @@ use crate::{Basis, Curve, Point, Scalar};
 /// How the start of one curve continues the end of another, measured by [`Curve::joint`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Joint<S> {
     /// The distance of the end of the first from the start of the second curve.
     pub gap: S,

@@ -12,6 +12,8 @@
 //! those of a curve nearer to the whole than `noise`, and all tests leave that much room. What is not decided in some
 //! dozens of steps, contacts and parts that run along each other, is handed back.
 
+#![allow(clippy::inline_always)] // only then is a step one piece of code: a fifth of the time
+
 use alloc::vec::Vec;
 
 use super::CurvePiece;

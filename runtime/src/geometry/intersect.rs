@@ -12,9 +12,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::CurvePiece;
+use super::beside::{approach, beside, dot, is_beside, point, pseudo_inverse, state};
 use super::clipping::{self, View};
 use super::piece::{derivative, product};
-use crate::{Scalar, bernstein};
+use crate::Scalar;
 
 /// The most pairs of parts that are looked at; those that are left then are answers as they are.
 const WORK: usize = 300_000;
@@ -235,10 +236,15 @@ impl Search {
                     beside(&pair.first, &pair.second, self.accuracy),
                     beside(&pair.second, &pair.first, self.accuracy),
                 ];
-                if let [Some(first), Some(second)] = beside {
+                let [Some(first), Some(second)] = beside else { continue };
+                // Straight parts may also cross each other.
+                let short = lengths[0].max(lengths[1]) <= self.accuracy;
+                if short
+                    || first.iter().all(|&t| is_beside(&pair.first, t, &pair.second, 2.0 * self.accuracy))
+                {
                     self.near.push([first, second]);
+                    continue;
                 }
-                continue;
             }
             // What is not straight is divided first, then what is longer.
             let first = if straight[0] == straight[1] { lengths[0] >= lengths[1] } else { straight[1] };
@@ -400,57 +406,6 @@ impl Search {
     }
 }
 
-/// The parameters between which a part lies beside the chord of another one, not farther beyond its ends than the
-/// accuracy, as far as control points tell; `None` if it nowhere does.
-#[inline]
-fn beside(part: &CurvePiece, other: &CurvePiece, accuracy: f64) -> Option<[f64; 2]> {
-    let (dim, last) = (other.dimension(), other.degree());
-    let chord: Vec<f64> = (0..dim).map(|d| other.control(last, d) - other.control(0, d)).collect();
-    let length = Scalar::sqrt(dot(&chord, &chord));
-    if length == 0.0 {
-        return Some(part.domain());
-    }
-    // How far the control points are inside of either end, times the weights.
-    let inside = |sign: f64, end: usize| -> Vec<f64> {
-        let height = |i: usize| {
-            let along = |d: usize| sign * chord[d] / length * (part.control(i, d) - other.control(end, d));
-            let weight = part.weights().map_or(1.0, |weights| weights[i]);
-            weight * ((0..dim).map(along).sum::<f64>() + accuracy)
-        };
-        (0..=part.degree()).map(height).collect()
-    };
-    let [[from, to], [start, end]] =
-        [inside(1.0, 0), inside(-1.0, last)].map(|heights| not_negative(&heights));
-    let (from, to) = (from.max(start), to.min(end));
-    (from <= to).then(|| [part.parameter(from), part.parameter(to)])
-}
-
-/// An interval outside of which a polynomial with these Bernstein coefficients is negative, from the hull of its
-/// control polygon; `[1, 0]` if it is negative everywhere.
-#[inline]
-fn not_negative(coefficients: &[f64]) -> [f64; 2] {
-    let degree = coefficients.len().saturating_sub(1).max(1) as f64;
-    let mut interval = [1.0_f64, 0.0_f64];
-    for (i, &a) in coefficients.iter().enumerate() {
-        if a < 0.0 {
-            continue;
-        }
-        let x = i as f64 / degree;
-        interval = [interval[0].min(x), interval[1].max(x)];
-        for (j, &b) in coefficients.iter().enumerate().filter(|(_, b)| **b < 0.0) {
-            let zero = x + (j as f64 / degree - x) * a / (a - b);
-            interval = [interval[0].min(zero), interval[1].max(zero)];
-        }
-    }
-    if coefficients.first().is_some_and(|&c| c >= 0.0) {
-        interval[0] = 0.0;
-    }
-    if coefficients.last().is_some_and(|&c| c >= 0.0) {
-        interval[1] = 1.0;
-    }
-    interval
-}
-
 /// What is known of parts that meet at most once.
 enum Single {
     /// They do not meet.
@@ -506,29 +461,6 @@ fn at_most_one(pair: &Pair) -> Option<Single> {
     Some(Single::At([first.parameter(at[0]), second.parameter(at[1])]))
 }
 
-/// `F = A(x) - B(y)` and its derivatives in `x` and in `y`; of rational parts both are multiplied by the weights.
-#[inline]
-fn state(first: &CurvePiece, second: &CurvePiece, at: [f64; 2]) -> (Vec<f64>, [Vec<f64>; 2]) {
-    let dim = first.dimension();
-    let weight = |part: &CurvePiece, x: f64| match part.weights() {
-        None => [1.0, 0.0],
-        Some(weights) => [bernstein::eval(weights, x), bernstein::eval(&derivative(weights), x)],
-    };
-    let ([w, w1], [v, v1]) = (weight(first, at[0]), weight(second, at[1]));
-    let mut value = vec![0.0; dim];
-    let mut columns = [vec![0.0; dim], vec![0.0; dim]];
-    for d in 0..dim {
-        let [a, b] = [(first, at[0]), (second, at[1])].map(|(part, x)| {
-            let numerator = part.component(d);
-            [bernstein::eval(numerator, x), bernstein::eval(&derivative(numerator), x)]
-        });
-        value[d] = a[0] * v - b[0] * w;
-        columns[0][d] = a[1] * v - b[0] * w1;
-        columns[1][d] = a[0] * v1 - b[1] * w;
-    }
-    (value, columns)
-}
-
 /// The control vectors of the derivatives of `F` in `x` and in `y` over both parts.
 #[inline]
 fn derivatives(first: &CurvePiece, second: &CurvePiece) -> [Vec<Vec<f64>>; 2] {
@@ -553,20 +485,6 @@ fn derivatives(first: &CurvePiece, second: &CurvePiece) -> [Vec<Vec<f64>>; 2] {
         combine(&|d, i, j| a[d][1][i] * weights[1][j] - b[d][0][j] * slopes[0][i], [m, n + 1]),
         combine(&|d, i, j| a[d][0][i] * slopes[1][j] - b[d][1][j] * weights[0][i], [m + 1, n]),
     ]
-}
-
-/// The rows of `(JᵀJ)⁻¹ Jᵀ`; `None` if the columns are parallel, or one is zero.
-#[inline]
-fn pseudo_inverse(columns: &[Vec<f64>; 2]) -> Option<[Vec<f64>; 2]> {
-    let [a, b] = columns;
-    let (aa, ab, bb) = (dot(a, a), dot(a, b), dot(b, b));
-    let determinant = aa * bb - ab * ab;
-    if determinant <= 1e-12 * aa * bb || determinant.is_nan() {
-        return None;
-    }
-    let row = |p: f64, q: f64| a.iter().zip(b).map(|(a, b)| (p * a - q * b) / determinant).collect();
-    let other = |p: f64, q: f64| a.iter().zip(b).map(|(a, b)| (p * b - q * a) / determinant).collect();
-    Some([row(bb, ab), other(aa, ab)])
 }
 
 /// The control vectors of a curve in the direction of the velocity.
@@ -603,43 +521,4 @@ fn width(part: &CurvePiece) -> f64 {
         widest = widest.max(Scalar::sqrt(away));
     }
     widest
-}
-
-/// The parameters near a pair at which the curves are nearest to each other, by steps of Gauss and Newton.
-#[inline]
-fn approach(a: &[CurvePiece], b: &[CurvePiece], start: [f64; 2]) -> [f64; 2] {
-    let distance = |at: [f64; 2]| -> f64 {
-        let (p, q) = (point(a, at[0]), point(b, at[1]));
-        p.iter().zip(&q).map(|(p, q)| (p - q) * (p - q)).sum()
-    };
-    let mut at = start;
-    for _ in 0..20 {
-        let [Some(first), Some(second)] =
-            [(a, at[0]), (b, at[1])].map(|(pieces, t)| super::local::piece_at(pieces, t))
-        else {
-            break;
-        };
-        let (value, columns) = state(first, second, [first.place(at[0]), second.place(at[1])]);
-        let Some(inverse) = pseudo_inverse(&columns) else { break };
-        let widths = [first, second].map(|part| part.domain()[1] - part.domain()[0]);
-        let next = [0, 1].map(|k| at[k] - dot(&inverse[k], &value) * widths[k]);
-        if !next.iter().all(|t| t.is_finite()) || distance(next) >= distance(at) {
-            break;
-        }
-        at = next;
-    }
-    at
-}
-
-#[inline]
-fn point(pieces: &[CurvePiece], t: f64) -> Vec<f64> {
-    super::local::piece_at(pieces, t).map_or_else(Vec::new, |piece| {
-        let x = piece.place(t);
-        (0..piece.dimension()).map(|d| piece.value(d, x)).collect()
-    })
-}
-
-#[inline]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -4,6 +4,7 @@
 //! in double precision. They are not generic: a second type of curve costs no second compilation of them. They are
 //! marked `#[inline]` so that they are compiled where a question is asked, and not with this crate for everybody.
 
+mod beside;
 mod bounds;
 mod clipping;
 mod closest;

@@ -528,10 +528,11 @@ pub trait ParametricCurve {
     /// All places at which the curve meets another one, in the order of its own parameter.
     ///
     /// None is missed: every pair of parameters at which the curves have a point in common lies in one of the answers,
-    /// up to rounding errors. An answer is a pair of parameters, or an interval of each curve in which they are nearer
-    /// to each other than about `accuracy`, also where they touch or run along each other; in space the curves need not
-    /// meet exactly to be an answer. An `accuracy` below some 64 `ε` times the size of the curves, also zero or NaN,
-    /// asks for what the scalar type can give; curves that run along each other take the longer the smaller it is.
+    /// up to rounding errors; so does an end of one curve that is no farther than `accuracy` from the other one. An
+    /// answer is a pair of parameters, or an interval of each curve in which they are nearer to each other than about
+    /// `accuracy`, also where they touch or run along each other; in space the curves need not meet exactly to be an
+    /// answer. An `accuracy` below some 64 `ε` times the size of the curves, also zero or NaN, asks for what the scalar
+    /// type can give; curves that run along each other take the longer the smaller it is.
     /// `None` if a control point is not finite.
     ///
     /// ```

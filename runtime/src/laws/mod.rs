@@ -135,6 +135,7 @@ impl Display for Place {
 
 /// A law that a family breaks, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Violation {
     /// The law.
     pub law: Law,

@@ -34,6 +34,7 @@ use crate::{Point, Point3, Scalar};
         deserialize = "P: Read<'de>, P::Vector: serde::Deserialize<'de>"
     ))
 )]
+#[non_exhaustive]
 pub struct Curvature<P: Point3> {
     /// The unit normal `S_u × S_v / |S_u × S_v|`.
     pub normal: P::Vector,

@@ -89,6 +89,7 @@ impl Edge {
 /// How two surfaces meet along an edge, measured by [`edge_continuity`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct EdgeContinuity<S> {
     /// The largest distance of two points that belong together.
     pub gap: S,

@@ -4,6 +4,7 @@
 
 mod closest;
 mod continued;
+mod degenerate;
 mod hostile;
 mod intersections;
 mod piercings;

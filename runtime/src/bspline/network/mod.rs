@@ -80,6 +80,7 @@ super::setters! {
     feature = "serde",
     serde(bound(serialize = "P: Written", deserialize = "P: crate::Point3 + Read<'de>"))
 )]
+#[non_exhaustive]
 pub struct Followed<P: Point> {
     /// The network.
     pub network: Network<P>,

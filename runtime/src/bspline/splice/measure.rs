@@ -20,6 +20,7 @@ use crate::vector::{cross, length};
 /// angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct JointMeasure {
     /// The largest distance between points of the two edges with corresponding parameters, in the unit of the points.
     pub gap: f64,

@@ -138,6 +138,7 @@ crate::bspline::setters! {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
+#[non_exhaustive]
 pub struct Splice<P: Point> {
     /// The adjusted surface.
     pub surface: BSplineSurface<P>,
