@@ -34,7 +34,7 @@ const RUN_FAMILIES: u64 = 5_000;
 /// The most claims of a run, each value of an index variable counted.
 const RUN_CLAIMS: u64 = 20_000;
 /// The most work of the provers in a run for what is needed for formulas to have a meaning.
-const RUN_DECISIONS: u64 = 20_000_000;
+const RUN_DECISIONS: u64 = 60_000_000;
 /// The most memory that the functions and claims of a run take, in words of eight bytes, roughly.
 const RUN_WORDS: u64 = 20_000_000;
 

@@ -282,7 +282,10 @@ impl<const N: usize, const D: usize> Search<'_, N, D> {
         let mut foot = end;
         foot[1 - k] = (foot[1 - k] + along / square).clamp(0.0, 1.0);
         let values = self.values(foot);
-        let distance = (0..D).fold(0.0, |sum, d| sum + (values[0][d] - values[1][d]).powi(2));
+        let distance = (0..D).fold(0.0, |sum, d| {
+            let apart = values[0][d] - values[1][d];
+            sum + apart * apart
+        });
         if distance <= self.accuracy * self.accuracy {
             let room = [0, 1].map(|k| self.accuracy * reach[k]);
             self.outcome.near.push(

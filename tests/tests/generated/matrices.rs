@@ -51,7 +51,7 @@ fn exact(family: &str, kind: MatrixKind, k: f64) -> Vec<Vec<f64>> {
     let item = library.item(family, &[]).unwrap_or_else(|_| panic!("{SPEC}"));
     let Subject::Family(family) = item.subject else { panic!("a family") };
     let family: &Family = &family;
-    let found = matrices(family, None).into_iter().find(|m| m.kind == kind).expect("there is one");
+    let found = matrices(&library, family, None).into_iter().find(|m| m.kind == kind).expect("there is one");
     let at = vec![fraction(k); family.names.len()];
     found
         .entries
