@@ -232,7 +232,7 @@ fn splines() {
     again(read::<BezierPiece<[f64; 2]>>(json!({ "domain": [0.0, 0.5], "points": [[1.0, 2.0]] })));
     again(spline());
     refused(&spline(), |json| json["net"]["columns"] = json!(4));
-    again(read::<BezierPatch<[f64; 2]>>(json!({ "domain": [[0.0, 1.0], [0.0, 1.0]], "net": net })));
+    again(read::<BezierPatch<f64>>(json!({ "domain": [[0.0, 1.0], [0.0, 1.0]], "net": net })));
     again(Direction::V);
     again(Homogeneous::new([1.0, 2.0], 0.5));
     let rational = NurbsCurve::new(knots, curve.control_points(), [1.0, 0.5, 2.0, 1.0]).unwrap();

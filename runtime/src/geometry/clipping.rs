@@ -26,7 +26,7 @@ const WORK: usize = 96;
 const SHRUNK: f64 = 0.7;
 
 /// The powers of 1/2, and the inverses of whole numbers.
-const MIDDLE: [f64; 8] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125];
+const MIDDLE: [f64; 8] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015_625, 0.007_812_5];
 const INVERSE: [f64; 8] = [1.0, 1.0, 1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 1.0 / 6.0, 1.0 / 7.0];
 
 /// The components of the control points of a piece.
