@@ -10,7 +10,7 @@ pub mod quotients;
 #[cfg(test)]
 mod tests {
     use basis_runtime::{
-        Basis, BoxPatch, Contact, Curve, Rounding, SimplexBasis, SimplexPatch, SpannedBasis, TriangularBasis,
+        Basis, BoxPatch, Contact, Curve, Rounding, SimplexBasis, SimplexPatch, SpannedBasis,
     };
 
     use crate::quotients::{Fall, Hump, Peak, Swing};
