@@ -1,6 +1,6 @@
 //! Proved bounds of rounding errors.
 //!
-//! The value that floats give for a function is that of its [`Steps`](crate::steps::Steps) in which step k is multiplied by 1 + δₖ, |δₖ| ≤
+//! The value that floats give for a function is that of its [`Steps`] in which step k is multiplied by 1 + δₖ, |δₖ| ≤
 //! u, where u = ε/2 is half the distance from 1 to the next float. To first order the error is Σ δₖ·wₖvₖ, with vₖ the
 //! exact value of the step and wₖ the derivative of the result with respect to it. Both are rational functions of the
 //! inputs, so that a bound is a statement like any other one about signs, which the kernel decides:

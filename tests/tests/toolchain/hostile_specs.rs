@@ -259,17 +259,12 @@ fn many_spans_and_ranges_that_depend_on_one_another_are_answered() {
     assert_eq!(messages(&family("prove p0 < p1; prove independent;")), Vec::<String>::new());
     rendered(&check(Source::text("chain.basis", &family("prove p0 < p17; prove p5 + p15 < 2;"))));
 
-    let conditions =
-        |assume: &str| (1..=301).map(|k| format!("{assume} {k}*p + q <= {k} + 1;")).collect::<String>();
-    let many = format!(
-        "family F {{ domain 0 <= t <= 1; shape 0 <= p <= 1, 0 <= q <= 1; b[0] = t; {} }}",
-        conditions("assume")
-    );
+    let conditions: Vec<String> = (1..=301).map(|k| format!("assume {k}*p + q <= {k} + 1;")).collect();
+    let conditions = conditions.concat();
+    let many =
+        format!("family F {{ domain 0 <= t <= 1; shape 0 <= p <= 1, 0 <= q <= 1; b[0] = t; {conditions} }}");
     assert_eq!(messages(&many), ["a family has at most 300 conditions on its shape values"]);
-    let many = format!(
-        "theorem T {{ scalar 0 <= p <= 1; scalar 0 <= q <= 1; {} prove p >= 0; }}",
-        conditions("assume")
-    );
+    let many = format!("theorem T {{ scalar 0 <= p <= 1; scalar 0 <= q <= 1; {conditions} prove p >= 0; }}");
     assert_eq!(messages(&many), ["a theorem has at most 300 conditions on its scalars"]);
 
     // Of sixty bounds of five parameters each may be the one that counts.
