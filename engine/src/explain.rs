@@ -355,9 +355,17 @@ fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> boo
     })
 }
 
+/// The work for the shape values at which functions are dependent, of which each is looked for with a budget of its own.
+const EXCEPTIONS: u64 = 20_000_000;
+
 /// The shape values at which the functions of a family are dependent, and what is left open: nothing only if it is
 /// proved that they are independent everywhere else.
 pub fn exceptional_set(family: &Family) -> ExceptionalSet {
+    let units = EXCEPTIONS.saturating_mul(u64::from(family.budget));
+    basis_prover::within(units, &mut || exceptions(family))
+}
+
+fn exceptions(family: &Family) -> ExceptionalSet {
     let state::Table { rows, symmetries } = state::table(family);
     let table = basis_prover::rank::Table { rows: &rows, symmetries: &symmetries };
     let mut set = basis_prover::rank::exceptional_set(table, &family.shape_region(), family.budget);

@@ -203,7 +203,8 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 }
 
 /// Words with which statements begin elsewhere, and what to write.
-const ELSEWHERE: [(&str, &str); 7] = [
+const ELSEWHERE: [(&str, &str); 8] = [
+    ("for foreach loop", "a loop stands behind the formula: `b[i] = t^i for i in 0..=3;`"),
     ("parameter parameters param params", "write `shape -1 <= λ <= 1;` for a shape parameter"),
     ("claim claims assert lemma show property ensure check verify", "write `prove …;`"),
     ("disprove deny", "write `refute …;`"),

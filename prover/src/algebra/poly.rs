@@ -3,6 +3,7 @@
 pub use basis_kernel::algebra::poly::{Monomial, Poly, Var};
 
 use super::rational::Rational;
+use crate::collections::list::{Listed, Mapped};
 
 /// What a checker does not do with a polynomial.
 pub trait PolyExt {
@@ -14,18 +15,33 @@ pub trait PolyExt {
 }
 
 impl PolyExt for Poly {
+    /// Over the denominator that all terms have in common: at aᵢ/bᵢ the power e of a variable of degree d is aᵢᵉ·bᵢᵈ⁻ᵉ/bᵢᵈ,
+    /// and sums and products of whole numbers look for no common divisors.
     fn eval(&self, point: &[Rational]) -> Rational {
+        let coordinate = |i: usize| point.get(i).unwrap_or(&Rational::ZERO);
+        let degrees: Vec<(usize, u32)> =
+            self.variables().into_iter().map(|v| (v.0, u32::from(self.degree(v)))).listed();
+        let mut powers: Vec<Vec<(u32, Rational)>> = degrees.mapped(|_| Vec::new());
         let mut sum = Rational::ZERO;
         for (m, c) in self.terms() {
             let mut product = c.clone();
-            for (i, e) in m.exponents().iter().enumerate() {
-                if *e > 0 {
-                    product = &product * &point.get(i).unwrap_or(&Rational::ZERO).pow(u32::from(*e));
-                }
+            for ((i, degree), known) in degrees.iter().zip(&mut powers) {
+                let e = u32::from(m.exponent(Var(*i)));
+                let place = match known.binary_search_by_key(&e, |(e, _)| *e) {
+                    Ok(place) => place,
+                    Err(place) => {
+                        let x = coordinate(*i);
+                        known.insert(place, (e, &x.numer().pow(e) * &x.denom().pow(degree - e)));
+                        place
+                    }
+                };
+                product *= &known[place].1;
             }
             sum += &product;
         }
-        sum
+        let denominators = degrees.iter().map(|(i, degree)| coordinate(*i).denom().pow(*degree));
+        let common = denominators.fold(Rational::ONE, |product, power| &product * &power);
+        &sum / &common
     }
 
     fn rename(&self, names: &[Var]) -> Self {
