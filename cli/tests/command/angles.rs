@@ -268,6 +268,22 @@ fn certificates() {
     assert_ne!(folder.run(&["verify", "proofs", "s.basis"]).code, 0);
 }
 
+/// A strict bound of a sum whose functions need no points to be looked at.
+#[test]
+fn certificates_of_strict_sums() {
+    let spec = "family S {
+        domain 0 <= t <= pi/2;
+        b[0] = t/10;
+        b[1] = (sin(t) - 1/2)^2;
+        prove b[0] + b[1] > 0;
+    }";
+    let folder = Folder::with("s.basis", spec);
+    let written = folder.run(&["check", "--certificates", "proofs", "s.basis"]);
+    assert_eq!(written.code, 0, "{}", written.stderr);
+    let verified = folder.run(&["verify", "proofs", "s.basis"]);
+    assert_eq!(verified.code, 0, "{}{}", verified.stdout, verified.stderr);
+}
+
 /// A variable beside its own sine or exponential: by derivatives and values at the ends.
 #[test]
 fn a_variable_beside_its_sine() {

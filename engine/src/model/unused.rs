@@ -41,8 +41,20 @@ fn shared_range(decls: &[syntax::ShapeDecl], place: &dyn Fn(Span) -> Place) -> O
         (Some(low), Some((_, high, _))) if ends.len() == 2 && !low.is_empty() && !high.is_empty() => {
             (low, high.clone())
         }
-        // `0 < a, b`, `a, b > 0`
-        (_, Some((low, high, _))) if ends.len() == 1 && run.len() > 1 => (low.clone(), high.clone()),
+        // `0 < a, b`, `a, b > 0`, but not `a > 0, b`
+        (_, Some((low, high, _))) if ends.len() == 1 && run.len() > 1 => {
+            let outer = |d: &syntax::ShapeDecl, is_end: bool| {
+                let own = d.parts.iter().find(|p| named(p))?;
+                let end = d.parts.iter().find(|p| !named(p))?;
+                let before = end.span.start() < own.span.start();
+                Some(before != is_end)
+            };
+            let is_shared = outer(&run[0], false) == Some(true) || outer(run.last()?, true) == Some(true);
+            if !is_shared {
+                return None;
+            }
+            (low.clone(), high.clone())
+        }
         _ => return None,
     };
     let names: Vec<String> = run.iter().filter_map(|d| d.parts.iter().find(|p| named(p)).map(text)).collect();

@@ -339,6 +339,16 @@ fn linear(p: &Poly) -> Option<(Var, Rational)> {
     Some((var, -constant.checked_div(&slope)?))
 }
 
+/// Whether a name stands in an expression, and not only as a part of a longer one.
+fn is_named(expression: &str, name: &str) -> bool {
+    let in_a_word = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
+    let ends_a_word = in_a_word(name.chars().next_back());
+    expression.match_indices(name).any(|(at, _)| {
+        let after = expression[at + name.len()..].chars().next();
+        !in_a_word(expression[..at].chars().next_back()) && !(ends_a_word && in_a_word(after))
+    })
+}
+
 /// The function that an expression is about: `b[3]`, or the only one in `b[3] - 1/2`, but not its derivative or its value
 /// elsewhere.
 pub fn function_of(family: &Family, expression: &str) -> Option<usize> {
@@ -346,7 +356,7 @@ pub fn function_of(family: &Family, expression: &str) -> Option<usize> {
     if let Some(k) = labels.iter().position(|label| label == expression) {
         return Some(k);
     }
-    let mut named = labels.iter().enumerate().filter(|(_, label)| expression.contains(*label));
+    let mut named = labels.iter().enumerate().filter(|(_, label)| is_named(expression, label));
     let (k, label) = named.next().filter(|_| !expression.contains("D("))?;
     (named.next().is_none() && !expression.contains(&format!("{label}("))).then_some(k)
 }
@@ -457,5 +467,19 @@ mod tests {
         let facts = function_facts(family);
         assert_eq!(facts[0].bernstein, ["0", "0", "1", "1"]);
         assert_eq!(facts[0].between, Some((String::from("0"), String::from("1"))));
+    }
+
+    #[test]
+    fn expressions_are_about_the_functions_whose_names_are_in_them() {
+        let source = Source::text(
+            "f.basis",
+            "family F { domain 0 <= t <= 1; shape 0 <= a_f <= 1; f[0] = a_f*t; f[1] = 1 - t; }",
+        );
+        let library = Library::from_source(&Disk, &Prover, source);
+        let items = library.items(Selected::EveryOrder);
+        let Subject::Family(family) = &items[0].subject else { panic!("it is a family") };
+        let of = |expression: &str| function_of(family, expression);
+        assert_eq!((of("f[0]"), of("f[1] - 1/2"), of("3*f[0] - a_f")), (Some(0), Some(1), Some(0)));
+        assert_eq!((of("ff[1] - 1"), of("f[0] - f[1]"), of("D(f[0]) - 1")), (None, None, None));
     }
 }

@@ -14,7 +14,7 @@ const UNITS: u64 = 100_000_000;
 const CLAIM: u64 = 500;
 
 /// What a claim may take in each round. Nineteen of twenty claims about angles and exponentials are decided in the first two, as
-/// are nearly all about polynomials; together the rounds before the last one take a third of what that may take.
+/// are nearly all about polynomials; together the rounds before the last one take a fifth of what that may take.
 const ROUNDS: [u64; 4] = [250_000, 1_000_000, 4_000_000, UNITS];
 
 /// The work that is left for the claims of a run. These are decided in rounds, so that a hard claim takes nothing from an easy one,

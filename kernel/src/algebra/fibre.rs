@@ -122,7 +122,7 @@ fn powers_of(c: &mut [BigInt], factor: &BigInt) {
 
 /// Replaces x by x + h in a sum of powers of x.
 fn shift(c: &mut [BigInt], h: &BigInt) {
-    did(c.len() * c.len() * (1 + c.last().map_or(0, |c| c.bits() as usize / 128)));
+    did((c.len() * c.len()) as u64 * (1 + c.last().map_or(0, |c| c.bits() / 128)));
     for i in 0..c.len().saturating_sub(1) {
         for j in (i..c.len() - 1).rev() {
             let (low, high) = c.split_at_mut(j + 1);

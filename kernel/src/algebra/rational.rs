@@ -271,7 +271,7 @@ fn euclid(a: &BigInt, b: &BigInt) -> BigInt {
     if twos + 1 == b.bits() {
         return BigInt::from(1) << twos.min(a.trailing_zeros().unwrap_or(twos));
     }
-    did(12 + a.bits() as usize / 64 + (b.bits() as usize / 32).pow(2));
+    did(12 + a.bits() / 64 + (b.bits() / 32).pow(2));
     let rest = a % b;
     match (rest.magnitude().to_u128(), b.magnitude().to_u128()) {
         (Some(a), Some(b)) => BigInt::from(gcd(a, b)),

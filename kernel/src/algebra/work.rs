@@ -15,8 +15,8 @@ pub fn done() -> u64 {
 }
 
 /// Notes an operation.
-pub(super) fn did(units: usize) {
-    DONE.set(DONE.get().saturating_add(units as u64));
+pub(super) fn did(units: u64) {
+    DONE.set(DONE.get().saturating_add(units));
 }
 
 /// Work that may still be done, in units of about one product of two numbers of a machine word.

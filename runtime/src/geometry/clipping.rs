@@ -258,8 +258,9 @@ impl<const N: usize, const D: usize> Search<'_, N, D> {
             return Answer::Done;
         }
         if found.gap > 4.0 * Self::NOISE {
-            // In space the projections cross, the curves do not.
-            return if found.gap > 4.0 * self.accuracy { Answer::Done } else { Answer::Unknown };
+            // In space the projections cross, the curves do not; how near they come elsewhere depends on their slopes across
+            // the plane. Shorter parts are apart, or as near as that.
+            return Answer::Unknown;
         }
         self.outcome.crossings.push(at.map(|x| x.clamp(0.0, 1.0)));
         Answer::Done

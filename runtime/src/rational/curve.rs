@@ -86,6 +86,11 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
         Self { basis, points, chart, numerator, denominator, side, ends }
     }
 
+    /// The side of 0 on which the denominator is.
+    pub(crate) const fn side(&self) -> Side {
+        self.side
+    }
+
     /// The point `C(t)`.
     ///
     /// At both ends of the domain it equals [`start`](Self::start) and [`end`](Self::end). Where the Bernstein coefficients

@@ -47,6 +47,9 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> Kernel for RationalPoints<'
             tile[..ts.len()].copy_from_slice(ts);
             chart.coordinates_into::<FUSED>(&tile, &mut s, &mut x);
             component::<FUSED, B::Scalar>(denominator, 0, &s, &x, &mut weight);
+            for weight in &mut weight {
+                *weight = curve.side().keep(*weight);
+            }
             for (d, sum) in sums.iter_mut().enumerate().take(P::DIM) {
                 component::<FUSED, P>(numerator, d, &s, &x, sum);
                 for (sum, weight) in sum.iter_mut().zip(&weight) {

@@ -23,11 +23,9 @@ impl<S: Scalar> TryFrom<Knots<S>> for KnotVector<S> {
     /// Readers that are quick with decimal numbers are off by some units of the last digit, and exchange neighbours that are
     /// as near to each other as that; these are put in order. Equal knots are written, and so read, alike.
     fn try_from(mut read: Knots<S>) -> Result<Self, KnotError> {
-        for index in 1..read.knots.len() {
-            let mut place = index;
-            while place > 0 && exchanged(read.knots[place - 1], read.knots[place]) {
-                read.knots.swap(place - 1, place);
-                place -= 1;
+        for run in read.knots.chunk_by_mut(|before, after| before <= after || exchanged(*before, *after)) {
+            if !run.is_sorted() {
+                run.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
             }
         }
         Self::new(read.degree, read.knots)

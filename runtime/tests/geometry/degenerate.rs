@@ -368,3 +368,15 @@ fn ends_beside_curves() {
         assert!(!found.iter().any(|m| covers(m, [s, 1.0], 1e-6)), "{found:?}");
     }
 }
+
+/// In space the place where the projections of both curves cross is far from where they are near each other.
+#[test]
+fn near_in_space_beside_a_crossing_of_projections() {
+    let steep = |x: f64| vec![[0.0, 0.0, 0.0], [x, 0.0, 1.0], [2.0 * x, 0.0, 0.0]];
+    let across = |x: f64, z: f64| (vec![[x, -0.5, z], [x, 0.5, z]], vec![1.0; 2]);
+    let a = (steep(0.02), vec![1.0; 3]);
+    for (b, at) in [(across(5e-5, 0.0), [0.0, 0.5]), (across(0.004, 0.1825), [0.1, 0.5])] {
+        let found = scaled(&a, 1.0, |a| scaled(&b, 1.0, |b| a.intersections(b, 5e-4).unwrap()));
+        assert!(found.iter().any(|m| covers(m, at, 5e-3) && m.distance <= 5e-4), "{found:?}");
+    }
+}

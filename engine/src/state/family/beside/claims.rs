@@ -53,10 +53,7 @@ fn by_a_way<'f>(
     let value = premises::Positive::of(&part.1).reduced(&value.quotient());
     let value = &Fraction::new(value.numerator, value.denominator)?;
     let by = |way: usize, sample: &mut Option<Sample<'f>>| {
-        if way != super::WIDER && sample.is_none() {
-            *sample = basis_prover::working(family.budget, &mut |work| Sample::new(family, work));
-        }
-        let sample = sample.as_ref();
+        let sample = if way == super::WIDER { None } else { sampled(family, sample) };
         let steps = basis_prover::working(family.budget, &mut |work| {
             super::steps(family, of, value, comparison, (way, sample), work)
         })?;
@@ -117,6 +114,14 @@ fn are_proved(all: &[(Stated, String)], budget: u32) -> bool {
     all.iter().all(|(s, _)| basis_prover::decide(s.statement.clone(), &s.symmetries, budget).is_ok())
 }
 
+/// The points at which functions are looked at, found when they are first asked for.
+fn sampled<'s, 'f>(family: &'f Family, sample: &'s mut Option<Sample<'f>>) -> Option<&'s Sample<'f>> {
+    if sample.is_none() {
+        *sample = basis_prover::working(family.budget, &mut |work| Sample::new(family, work));
+    }
+    sample.as_ref()
+}
+
 /// What is enough for a combination of the functions of the family, each of these by a way of its own.
 fn combined<'f>(
     family: &'f Family,
@@ -139,7 +144,7 @@ fn combined<'f>(
         all.extend(by_a_way(family, (&label, function, Comparison::GreaterEqual), part, sample, saying)?);
     }
     if strict {
-        let sample = sample.as_ref()?;
+        let sample = sampled(family, sample)?;
         let positive = basis_prover::working(family.budget, &mut |work| {
             combination::positive(family, (of, &value), &parts, sample, work)
         });
