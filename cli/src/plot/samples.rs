@@ -4,7 +4,7 @@ use basis_engine::Diagnostic;
 
 use super::Scene;
 use super::settings::Setting;
-use super::values::{Functions, between, pieces};
+use super::values::{Functions, pieces};
 use crate::output::error;
 
 /// How many parts of the domain have a line each.
@@ -32,7 +32,7 @@ pub(super) fn sampled(scene: &Scene) -> Result<Vec<Sampled>, Diagnostic> {
                 all.at.push(last);
                 all.values.push(vec![None; piece.functions.len()]);
             }
-            for t in between(low, high, PARTS) {
+            for t in functions.along(low, high, PARTS) {
                 all.at.push(functions.axis(&t));
                 all.values.push(functions.values(core::slice::from_ref(&t)));
             }

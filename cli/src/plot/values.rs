@@ -2,7 +2,7 @@
 
 use basis_engine::Family;
 use basis_engine::algebra::fraction::Fraction;
-use basis_engine::algebra::poly::{Poly, Var};
+use basis_engine::algebra::poly::{Monomial, Poly, Var};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::angle::{Angle, Kind};
 
@@ -18,8 +18,8 @@ pub(super) struct Functions {
     width: usize,
     /// The domain variables.
     domain: Vec<Var>,
-    /// What stands in sin, exp and the like; nothing for quotients of polynomials.
-    angles: Option<Angles>,
+    /// What stands in sin, exp and the like, and the functions; nothing for quotients of polynomials.
+    angles: Option<(Angles, Vec<Quotient>)>,
 }
 
 /// The values of all variables of a family with angles, by variable, and the angle of the domain variable.
@@ -41,26 +41,43 @@ impl Functions {
             value
         };
         let width = family.names.len();
-        let angles = (!family.analytic.is_empty()).then(|| Angles::new(family, shapes));
-        Self {
-            formulas: family.functions.iter().map(|f| at(&f.value)).collect(),
-            width,
-            domain: family.domain.iter().map(|p| p.var).collect(),
-            angles,
-        }
+        let formulas: Vec<Fraction> = family.functions.iter().map(|f| at(&f.value)).collect();
+        let angles = (!family.analytic.is_empty())
+            .then(|| (Angles::new(family, shapes), formulas.iter().map(Quotient::new).collect()));
+        Self { formulas, width, domain: family.domain.iter().map(|p| p.var).collect(), angles }
     }
 
     /// Where a value of the only domain variable stands on the axis: the angle, if it is one.
     pub(super) fn axis(&self, y: &Rational) -> f64 {
-        let angle = self.angles.as_ref().and_then(|a| Some((a, a.domain.as_ref()?)));
+        let angle = self.angles.as_ref().and_then(|(a, _)| Some((a, a.domain.as_ref()?)));
         angle.map_or_else(|| y.to_f64(), |(angles, angle)| angles.itself(angle, y.to_f64()))
+    }
+
+    /// Values of the only domain variable, both ends included, that stand at equal distances on the axis.
+    pub(super) fn along(&self, low: &Rational, high: &Rational, count: i64) -> Vec<Rational> {
+        let mut all = between(low, high, count);
+        let angle = self.angles.as_ref().and_then(|(a, _)| Some((a, a.domain.as_ref()?)));
+        let Some((angles, angle)) = angle else { return all };
+        let (start, end) = (self.axis(low), self.axis(high));
+        if !start.is_finite() || !end.is_finite() {
+            return all;
+        }
+        for (k, y) in all.iter_mut().enumerate().skip(1).take(count as usize - 1) {
+            let place = angles.variable(angle, start + (end - start) * k as f64 / count as f64);
+            let fine = (1_i64 << 52) as f64;
+            // Next to an infinite tangent the places at equal distances in the variable are good enough.
+            if place.abs() < 1024.0 {
+                *y = Rational::new((place * fine / 1024.0) as i64, 1 << 42);
+            }
+        }
+        all
     }
 
     /// The value of a function at a point of the domain; nothing where its denominator vanishes.
     pub(super) fn value(&self, function: usize, at: &[Rational]) -> Option<f64> {
         let formula = self.formulas.get(function)?;
         let value = match &self.angles {
-            Some(angles) => angles.value(formula, &self.domain, at),
+            Some((angles, quotients)) => angles.value(quotients.get(function)?, &self.domain, at),
             None => {
                 let mut point = vec![Rational::ZERO; self.width];
                 for (var, x) in self.domain.iter().zip(at) {
@@ -110,9 +127,7 @@ impl Angles {
     /// The angle s where its variable is y: x = low + width·y is tan ψ, tanh ψ or ψ itself, ψ = v·(s − shift).
     fn itself(&self, angle: &Angle, y: f64) -> f64 {
         let x = quotient(&angle.low, &self.base) + quotient(&angle.width, &self.base) * y;
-        let (rate, shift) = (angle.rate.to_f64(), angle.shift.to_f64());
-        let pi = core::f64::consts::PI;
-        let (rate, shift) = if angle.turns { (rate * pi, shift) } else { (rate, shift * pi) };
+        let (rate, shift) = speed(angle);
         match angle.kind {
             Kind::Circular => shift + x.atan() / rate,
             Kind::Hyperbolic => shift + x.atanh() / rate,
@@ -120,7 +135,19 @@ impl Angles {
         }
     }
 
-    fn value(&self, formula: &Fraction, domain: &[Var], at: &[Rational]) -> f64 {
+    /// Where the variable of an angle is when the angle is s.
+    fn variable(&self, angle: &Angle, s: f64) -> f64 {
+        let (low, width) = (quotient(&angle.low, &self.base), quotient(&angle.width, &self.base));
+        let (rate, shift) = speed(angle);
+        let x = match angle.kind {
+            Kind::Circular => ((s - shift) * rate).tan(),
+            Kind::Hyperbolic => ((s - shift) * rate).tanh(),
+            Kind::Linear => s,
+        };
+        (x - low) / width
+    }
+
+    fn value(&self, formula: &Quotient, domain: &[Var], at: &[Rational]) -> f64 {
         let mut base = self.base.clone();
         for (var, x) in domain.iter().zip(at) {
             base[var.0] = x.to_f64();
@@ -129,21 +156,47 @@ impl Angles {
             base[angle.itself.0] = self.itself(angle, y.to_f64());
             base[angle.var.0] = y.to_f64();
         }
-        quotient(formula, &base)
+        formula.value(&base)
     }
 }
 
-/// A fraction in floating point.
-fn quotient(f: &Fraction, at: &[f64]) -> f64 {
-    sum(f.numer(), at) / sum(f.denom(), at)
+/// The v and the shift of an angle.
+fn speed(angle: &Angle) -> (f64, f64) {
+    let (rate, shift) = (angle.rate.to_f64(), angle.shift.to_f64());
+    let pi = core::f64::consts::PI;
+    if angle.turns { (rate * pi, shift) } else { (rate, shift * pi) }
 }
 
-fn sum(poly: &Poly, at: &[f64]) -> f64 {
-    let term = |(monomial, coefficient): (&basis_engine::algebra::poly::Monomial, &Rational)| {
+/// A fraction in floating point. The tangent of a shape value has many digits, and its powers more than a float has room
+/// for: numerator and denominator are divided by their largest coefficient.
+struct Quotient {
+    numer: Vec<(Monomial, f64)>,
+    denom: Vec<(Monomial, f64)>,
+}
+
+impl Quotient {
+    fn new(f: &Fraction) -> Self {
+        let all = f.numer().terms().chain(f.denom().terms());
+        let largest = all.map(|(_, c)| c.abs()).max().unwrap_or(Rational::ONE);
+        let floats = |poly: &Poly| poly.terms().map(|(m, c)| (m.clone(), (c / &largest).to_f64())).collect();
+        Self { numer: floats(f.numer()), denom: floats(f.denom()) }
+    }
+
+    fn value(&self, at: &[f64]) -> f64 {
+        sum(&self.numer, at) / sum(&self.denom, at)
+    }
+}
+
+fn quotient(f: &Fraction, at: &[f64]) -> f64 {
+    Quotient::new(f).value(at)
+}
+
+fn sum(terms: &[(Monomial, f64)], at: &[f64]) -> f64 {
+    let term = |(monomial, coefficient): &(Monomial, f64)| {
         let powers = at.iter().enumerate().map(|(k, x)| x.powi(i32::from(monomial.exponent(Var(k)))));
-        coefficient.to_f64() * powers.product::<f64>()
+        coefficient * powers.product::<f64>()
     };
-    poly.terms().map(term).sum()
+    terms.iter().map(term).sum()
 }
 
 /// Numbers at equal distances, both ends included.

@@ -302,6 +302,20 @@ family Mixed { domain 0 <= t <= 1; b[0] = t - sin(pi*t/2)*2/pi; b[1] = 1 - t; }"
     assert!((b - a) / unit > 0.3 && (b - a) / unit < 0.42, "{a} {b}");
 }
 
+/// The tangent of half a shape value has many digits, and the coefficients more than floats have room for.
+#[test]
+fn a_variable_beside_its_sine_is_drawn_at_any_shape_value() {
+    let folder = Folder::with("s.basis", "");
+    for shape in ["α=1", "α=1..3", "α=pi/3"] {
+        let svg = drawn(
+            &folder,
+            &["library:trigonometric/mixed", "CBezierCubic", "--shape", shape, "--points", "0,0 1,2 3,2 4,0"],
+            "s.svg",
+        );
+        assert!(count(&svg, "<path") >= 5 && count(&svg, "d=\"\"") == 0, "{shape}");
+    }
+}
+
 /// Where a domain ends at shape parameters, the variable of the formulas runs from 0 to 1 on each span.
 #[test]
 fn counterexamples_between_knots_that_are_parameters_are_marked() {
