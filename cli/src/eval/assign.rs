@@ -243,8 +243,17 @@ impl Table<'_> {
         // Where the domain ends at a shape parameter with a wrong value, that is the mistake.
         let follows = role == Role::At && !self.errors.is_empty() && family.analytic.angle(var).is_some();
         if !follows && (inner.is_none() || !inside && !self.anyway) {
-            let message = format!("{name} = {value} is outside of the {} `{range}`", role.place());
+            let message = match family.analytic.angle(var).map(|angle| angle.kind) {
+                Some(Kind::Hyperbolic) if inner.is_none() && !tangent => {
+                    format!("{name} = {value} is too large: exponentials are evaluated up to exp(1000)")
+                }
+                Some(Kind::Circular) if inner.is_none() && self.anyway && !tangent => format!(
+                    "{name} = {value} has no value: sines are evaluated in the tangent of a part of the angle, which is infinite there"
+                ),
+                _ => format!("{name} = {value} is outside of the {} `{range}`", role.place()),
+            };
             let choice = match family.analytic.angle(var) {
+                Some(_) if !tangent && self.anyway => String::from("choose another value"),
                 Some(_) if !tangent => String::from("choose a value inside"),
                 _ => format!("choose a value inside: {} {name}={}", role.flag(), inside_of(parameter)),
             };

@@ -143,10 +143,15 @@ impl Number {
         if x.is_zero() {
             return Some((Rational::ZERO, false));
         }
-        // tanh x = (e^2x − 1)/(e^2x + 1)
-        let square = exp(&(&x + &x))?;
-        let quotient = (&square - &Rational::ONE).checked_div(&(&square + &Rational::ONE))?;
-        Some((rounded(&quotient), true))
+        // tanh |x| = (e^2|x| − 1)/(e^2|x| + 1) = 1 − 2/(e^2|x| + 1); next to 1 it is the distance that has to have its digits.
+        let square = exp(&(&x + &x).abs())?;
+        let sum = &square + &Rational::ONE;
+        let size = if square > Rational::from(3) {
+            &Rational::ONE - &rounded(&Rational::from(2).checked_div(&sum)?)
+        } else {
+            rounded(&(&square - &Rational::ONE).checked_div(&sum)?)
+        };
+        Some((if x.is_negative() { -&size } else { size }, true))
     }
 }
 
@@ -276,6 +281,10 @@ mod tests {
         near(&of("4*pi/3").tan().expect("there is one").0, "1.7320508075688772935274463415058723669428");
         near(&of("1/2").tan().expect("there is one").0, "0.5463024898437905132551794657802853832976");
         near(&of("-1/2").tanh().expect("there is one").0, "-0.4621171572600097585023184836436725487302");
+        // Next to 1 it is the distance that has digits: 1 - tanh(150) is about 2/e^300.
+        let apart = &Rational::ONE - &of("150").tanh().expect("there is one").0;
+        let product = &apart * &exp(&Rational::from(300)).expect("there is one");
+        near(&product, "2");
         near(&exp(&Rational::ONE).expect("small"), "2.7182818284590452353602874713526624977572");
         near(&exp(&Rational::from(-3)).expect("small"), "0.0497870683678639429793424156500617766317");
         near(
