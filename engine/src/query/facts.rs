@@ -345,7 +345,8 @@ fn is_named(expression: &str, name: &str) -> bool {
     let ends_a_word = in_a_word(name.chars().next_back());
     expression.match_indices(name).any(|(at, _)| {
         let after = expression[at + name.len()..].chars().next();
-        !in_a_word(expression[..at].chars().next_back()) && !(ends_a_word && in_a_word(after))
+        let before = expression[..at].chars().next_back();
+        !(in_a_word(before) || ends_a_word && in_a_word(after))
     })
 }
 

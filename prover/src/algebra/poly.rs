@@ -19,8 +19,7 @@ impl PolyExt for Poly {
     /// and sums and products of whole numbers look for no common divisors.
     fn eval(&self, point: &[Rational]) -> Rational {
         let coordinate = |i: usize| point.get(i).unwrap_or(&Rational::ZERO);
-        let degrees: Vec<(usize, u32)> =
-            self.variables().into_iter().map(|v| (v.0, u32::from(self.degree(v)))).listed();
+        let degrees: Vec<(usize, u32)> = self.variables().into_iter().map(|v| (v.0, self.degree(v))).listed();
         let mut powers: Vec<Vec<(u32, Rational)>> = degrees.mapped(|_| Vec::new());
         let mut sum = Rational::ZERO;
         for (m, c) in self.terms() {
