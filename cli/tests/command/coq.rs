@@ -100,6 +100,23 @@ pub(crate) fn changed(text: &str, old: &str, new: &str) -> String {
     text.replacen(old, new, 1)
 }
 
+/// Coq accepts a text, and none of the texts with one place changed.
+pub(crate) fn refuses(folder: &Path, text: &str, changes: &[(&str, &str)]) {
+    let (fine, said) = accepted(folder, text);
+    assert!(fine, "{said}");
+    for (old, new) in changes {
+        let (fine, said) = accepted(folder, &changed(text, old, new));
+        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
+    }
+}
+
+/// The same of a file that was written to the folder `v`.
+pub(crate) fn refuses_in(folder: &Folder, file: &str, changes: &[(&str, &str)]) {
+    let folder = folder.path().join("v");
+    let text = fs::read_to_string(folder.join(file)).expect("it is written");
+    refuses(&folder, &text, changes);
+}
+
 /// Coq divides by t² − t as it is written, at 0 too, where the engine has t + 1: listed, and not written as a theorem that is
 /// refused.
 #[test]
@@ -170,23 +187,22 @@ fn coq_accepts_theorems_and_refuses_changed_ones() {
     let folder = Folder::with("quartic.basis", QUARTIC);
     let (_, _, text) = exported(&folder, "quartic.basis");
     let folder = folder.path().join("v");
-    let (fine, said) = accepted(&folder, &text);
-    assert!(fine, "{said}");
-    for (old, new) in [
-        // a coefficient of the formula, of the data, and of both
-        ("(1 - λ * t) * (1 - t) ^ 3", "(1 - λ * t) * (1 - t) ^ 2"),
-        ("(Pow (Diff (Num (1)) (Var 1)) 3)", "(Pow (Diff (Num (1)) (Var 1)) 2)"),
-        // what is claimed
-        ("b_0 λ t + b_1 λ t + b_2 λ t + b_3 λ t = 1.", "b_0 λ t + b_1 λ t + b_2 λ t + b_3 λ t = 2."),
-        ("is_derive (fun x' => b_0 λ x') t (- (3 + λ))", "is_derive (fun x' => b_0 λ x') t (3 + λ)"),
-        ("b_0 λ t = b_3 λ", "b_1 λ t = b_3 λ"),
-        // where it is claimed
-        ("  t = 0 ->\n  b_0 λ t = 1.", "  t = 1 ->\n  b_0 λ t = 1."),
-        ("  λ = 0 ->\n", "  λ = 1 ->\n"),
-    ] {
-        let (fine, said) = accepted(&folder, &changed(&text, old, new));
-        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
-    }
+    refuses(
+        &folder,
+        &text,
+        &[
+            // a coefficient of the formula, of the data, and of both
+            ("(1 - λ * t) * (1 - t) ^ 3", "(1 - λ * t) * (1 - t) ^ 2"),
+            ("(Pow (Diff (Num (1)) (Var 1)) 3)", "(Pow (Diff (Num (1)) (Var 1)) 2)"),
+            // what is claimed
+            ("b_0 λ t + b_1 λ t + b_2 λ t + b_3 λ t = 1.", "b_0 λ t + b_1 λ t + b_2 λ t + b_3 λ t = 2."),
+            ("is_derive (fun x' => b_0 λ x') t (- (3 + λ))", "is_derive (fun x' => b_0 λ x') t (3 + λ)"),
+            ("b_0 λ t = b_3 λ", "b_1 λ t = b_3 λ"),
+            // where it is claimed
+            ("  t = 0 ->\n  b_0 λ t = 1.", "  t = 1 ->\n  b_0 λ t = 1."),
+            ("  λ = 0 ->\n", "  λ = 1 ->\n"),
+        ],
+    );
     // both, so that the data are those of the formula
     let text = changed(&text, "(1 - λ * t) * (1 - t) ^ 3", "(1 - λ * t) * (1 - t) ^ 2");
     let text = changed(&text, "(Pow (Diff (Num (1)) (Var 1)) 3)", "(Pow (Diff (Num (1)) (Var 1)) 2)");
@@ -200,20 +216,16 @@ fn coq_accepts_quotients_and_simplices() {
     let (code, said, text) = exported(&folder, "skew.basis");
     assert_eq!(code, 0, "{said}");
     let folder = folder.path().join("v");
-    let (fine, said) = accepted(&folder, &text);
-    assert!(fine, "{said}");
     let claimed = |line: &str| text.contains(line);
     assert!(claimed("u + v + w = 1 ->") && claimed("0 < p ->"), "{text}");
-    for (old, new) in [
+    let changes = [
         // a quotient that vanishes somewhere, a sign and a range that are too much
         ("(Quot (Var 0) (Sum (Num (1)) (Var 0)))", "(Quot (Var 0) (Diff (Num (1)) (Var 0)))"),
         ("  b_0 p u v w >= 0.", "  b_0 p u v w >= 1."),
         ("  0 < p ->\n", "  (-1) < p ->\n"),
         ("  w = 0 ->\n", "  w = 1 ->\n"),
-    ] {
-        let (fine, said) = accepted(&folder, &changed(&text, old, new));
-        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
-    }
+    ];
+    refuses(&folder, &text, &changes);
     // The point of a refutation: another one at which the equation holds, and one outside of the domain.
     let at = text.find("~ (b_0 p u v w = u)").expect("it is refuted");
     let (before, after) = text.split_at(at);
@@ -244,18 +256,17 @@ family Pair {
     assert_eq!(code, 0, "{said}");
     assert!(text.contains("a'0 * b_0 k t + a'1 * b_1 k t + a'2 * b_2 k t = 0"), "{text}");
     let folder = folder.path().join("v");
-    let (fine, said) = accepted(&folder, &text);
-    assert!(fine, "{said}");
-    for (old, new) in [
-        // an exception less, another range, other functions, another dependence
-        ("  ~ (k = 0) ->\n", ""),
-        ("  (-1) <= k <= 1 ->\n  ~ (k = 0)", "  (-1) <= k ->\n  ~ (k = 0)"),
-        ("a'1 * b_1 k t + a'2 * b_2 k t = 0) ->", "a'1 * b_1 k t + a'2 * b_1 k t = 0) ->"),
-        ("  k = (1 / 2) ->\n", "  k = (1 / 3) ->\n"),
-    ] {
-        let (fine, said) = accepted(&folder, &changed(&text, old, new));
-        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
-    }
+    refuses(
+        &folder,
+        &text,
+        &[
+            // an exception less, another range, other functions, another dependence
+            ("  ~ (k = 0) ->\n", ""),
+            ("  (-1) <= k <= 1 ->\n  ~ (k = 0)", "  (-1) <= k ->\n  ~ (k = 0)"),
+            ("a'1 * b_1 k t + a'2 * b_2 k t = 0) ->", "a'1 * b_1 k t + a'2 * b_1 k t = 0) ->"),
+            ("  k = (1 / 2) ->\n", "  k = (1 / 3) ->\n"),
+        ],
+    );
 }
 
 #[test]
@@ -299,12 +310,7 @@ fn coq_accepts_theorems_about_points() {
         let folder = Folder::with("points.basis", spec);
         let (_, _, text) = exported(&folder, "points.basis");
         let folder = folder.path().join("v");
-        let (fine, said) = accepted(&folder, &text);
-        assert!(fine, "{said}");
-        for (old, new) in changes {
-            let (fine, said) = accepted(&folder, &changed(&text, old, new));
-            assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
-        }
+        refuses(&folder, &text, changes);
     }
 }
 
@@ -403,7 +409,6 @@ fn coq_accepts_factors_corners_and_different_denominators() {
     let folder = Folder::with("others.basis", OTHERS);
     let run = folder.run(&["check", "--coq", "v", "others.basis"]);
     assert_eq!(run.code, 0, "{run:?}");
-    let folder = folder.path().join("v");
     let changes: [(&str, &[(&str, &str)]); 5] = [
         ("others_Degrees.v", &[("  0 <= k <= 1 ->\n", "  0 <= k <= 2 ->\n")]),
         (
@@ -435,13 +440,7 @@ fn coq_accepts_factors_corners_and_different_denominators() {
         ("others_Plane.v", &[("(Corner 0 ", "(Corner 1 "), ("  0 <= k ->\n", "  (-2) <= k ->\n")]),
     ];
     for (file, changes) in changes {
-        let text = fs::read_to_string(folder.join(file)).expect("it is written");
-        let (fine, said) = accepted(&folder, &text);
-        assert!(fine, "{said}");
-        for (old, new) in changes {
-            let (fine, said) = accepted(&folder, &changed(&text, old, new));
-            assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
-        }
+        refuses_in(&folder, file, changes);
     }
 }
 
@@ -452,7 +451,6 @@ fn coq_accepts_angles() {
     let run = folder.run(&["check", "--coq", "v", "angle.basis"]);
     assert_eq!(run.code, 0, "{run:?}");
     assert!(run.stdout.ends_with("Coq: 23 theorems in 2 files\n"), "{}", run.stdout);
-    let folder = folder.path().join("v");
     let changes: [(&str, &[(&str, &str)]); 2] = [
         (
             "angle_Quarter.v",
@@ -485,12 +483,6 @@ fn coq_accepts_angles() {
         ),
     ];
     for (file, changes) in changes {
-        let text = fs::read_to_string(folder.join(file)).expect("it is written");
-        let (fine, said) = accepted(&folder, &text);
-        assert!(fine, "{said}");
-        for (old, new) in changes {
-            let (fine, said) = accepted(&folder, &changed(&text, old, new));
-            assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
-        }
+        refuses_in(&folder, file, changes);
     }
 }

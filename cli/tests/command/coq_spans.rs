@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::coq::{accepted, changed, exported};
+use crate::coq::{exported, refuses_in};
 use crate::support::Folder;
 
 /// Two spans of different lengths with a parameter and a denominator.
@@ -85,17 +85,6 @@ family Below {
 }
 ";
 
-fn refuses(folder: &Folder, file: &str, changes: &[(&str, &str)]) {
-    let folder = folder.path().join("v");
-    let text = fs::read_to_string(folder.join(file)).expect("it is written");
-    let (fine, said) = accepted(&folder, &text);
-    assert!(fine, "{said}");
-    for (old, new) in changes {
-        let (fine, said) = accepted(&folder, &changed(&text, old, new));
-        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
-    }
-}
-
 #[test]
 fn every_span_has_functions_of_its_own() {
     let folder = Folder::with("spans.basis", SPANS);
@@ -156,7 +145,7 @@ fn parameters_share_a_name_and_equations_need_no_assumption() {
 fn coq_accepts_parameters_that_share_a_name() {
     let folder = Folder::with("own.basis", PARAMETERS);
     folder.run(&["check", "--coq", "v", "own.basis"]);
-    refuses(
+    refuses_in(
         &folder,
         "own_Several.v",
         &[
@@ -168,7 +157,7 @@ fn coq_accepts_parameters_that_share_a_name() {
             ("  c_1 = 1 ->\n", "  c_2 = 1 ->\n"),
         ],
     );
-    refuses(&folder, "own_Assumed.v", &[("= 1 + k * t.", "= 1 + m * t.")]);
+    refuses_in(&folder, "own_Assumed.v", &[("= 1 + k * t.", "= 1 + m * t.")]);
 }
 
 /// A denominator that contains the variable has no antiderivative that Coq computes: listed.
@@ -188,7 +177,7 @@ fn coq_accepts_spans() {
     let folder = Folder::with("spans.basis", SPANS);
     let run = folder.run(&["check", "--coq", "v", "spans.basis"]);
     assert_eq!(run.code, 0, "{run:?}");
-    refuses(
+    refuses_in(
         &folder,
         "spans_Kernel.v",
         &[
@@ -200,7 +189,7 @@ fn coq_accepts_spans() {
             ("= 1 + k / 15.", "= 1 + k / 16."),
         ],
     );
-    refuses(
+    refuses_in(
         &folder,
         "spans_Uneven.v",
         &[
@@ -220,7 +209,7 @@ fn coq_accepts_integrals() {
     let folder = Folder::with("integrals.basis", INTEGRALS);
     let run = folder.run(&["check", "--coq", "v", "integrals.basis"]);
     assert_eq!(run.code, 0, "{run:?}");
-    refuses(
+    refuses_in(
         &folder,
         "integrals_Segment.v",
         &[
@@ -234,5 +223,5 @@ fn coq_accepts_integrals() {
             ),
         ],
     );
-    refuses(&folder, "integrals_Wedge.v", &[("(1 / 48).", "(1 / 24)."), ("0 (1 / 2) (", "0 (1 / 3) (")]);
+    refuses_in(&folder, "integrals_Wedge.v", &[("(1 / 48).", "(1 / 24)."), ("0 (1 / 2) (", "0 (1 / 3) (")]);
 }

@@ -1,11 +1,8 @@
 //! Families as they are written: the functions that they define, in the order in which they call each other.
 
-use super::scope::{Constants, Functions, Planned, Reader, Scope, Value};
+use super::scope::{Constants, Functions, Planned, Reader, Scope, Value, is_plain, places};
 use super::{Claimed, Definition, Formulas, Term, spans};
-use crate::algebra::fraction::Fraction;
-use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind};
-use crate::model::angle::{Angle, Kind};
 use crate::model::label;
 use crate::model::tuples::numbered;
 use crate::model::{Family, Library};
@@ -41,29 +38,6 @@ pub fn of(library: &Library<'_>, family: &Family, claims: &[Claim]) -> Option<Fo
     let kinds: Vec<Option<&ClaimKind>> = claims.iter().map(|claim| Some(&claim.kind)).collect();
     let claims: Vec<Option<Claimed>> = reader.claims(&scope, written, family, &kinds)?;
     Some(Formulas { definitions: reader.definitions, functions: functions_of, spans: Vec::new(), claims })
-}
-
-/// The definitions of the functions of a family, in their order.
-pub(super) fn places(family: &Family, functions: &Functions) -> Option<Vec<usize>> {
-    family.functions.iter().map(|f| functions.get(&f.index).copied()).collect()
-}
-
-/// Whether one formula stands for the whole domain, all shape parameters stand for themselves, and so does the domain
-/// variable or it is an angle whose tangent has rational ends.
-pub(super) fn is_plain(family: &Family) -> bool {
-    let analytic = &family.analytic;
-    let angle = |a: &Angle| {
-        a.kind == Kind::Circular
-            && a.low.is_zero()
-            && a.width == Fraction::constant(Rational::ONE)
-            && family.domain.iter().any(|p| p.var == a.var)
-    };
-    analytic.angles.iter().all(angle)
-        && (analytic.is_empty() || family.domain.len() == 1)
-        && analytic.exponential.is_none()
-        && analytic.tangent.is_none()
-        && analytic.roots.is_empty()
-        && family.pieces.is_empty()
 }
 
 impl<'a, 'f> Reader<'a, 'f> {

@@ -5,8 +5,11 @@ use std::ops::Range;
 use std::rc::Weak;
 
 use super::{Definition, Term};
+use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::End;
+use crate::algebra::rational::Rational;
+use crate::model::angle::{Angle, Kind};
 use crate::model::{Factor, Family, Library, label};
 use crate::syntax::{self, Expr, FunctionDef, NameDef, StatementKind};
 use basis_prover::collections::map::SortedMap;
@@ -250,4 +253,27 @@ pub(super) fn parameters(family: &Family) -> Vec<usize> {
 /// The number of a variable, of the tangent of an angle that of the angle.
 fn itself(family: &Family, var: Var) -> usize {
     family.analytic.angle(var).map_or(var, |angle| angle.itself).0
+}
+
+/// The definitions of the functions of a family, in their order.
+pub(super) fn places(family: &Family, functions: &Functions) -> Option<Vec<usize>> {
+    family.functions.iter().map(|f| functions.get(&f.index).copied()).collect()
+}
+
+/// Whether one formula stands for the whole domain, all shape parameters stand for themselves, and so does the domain
+/// variable or it is an angle whose tangent has rational ends.
+pub(super) fn is_plain(family: &Family) -> bool {
+    let analytic = &family.analytic;
+    let angle = |a: &Angle| {
+        a.kind == Kind::Circular
+            && a.low.is_zero()
+            && a.width == Fraction::constant(Rational::ONE)
+            && family.domain.iter().any(|p| p.var == a.var)
+    };
+    analytic.angles.iter().all(angle)
+        && (analytic.is_empty() || family.domain.len() == 1)
+        && analytic.exponential.is_none()
+        && analytic.tangent.is_none()
+        && analytic.roots.is_empty()
+        && family.pieces.is_empty()
 }

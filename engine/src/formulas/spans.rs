@@ -2,8 +2,7 @@
 
 use std::rc::Rc;
 
-use super::read::{is_plain, places};
-use super::scope::{Reader, Scope};
+use super::scope::{Reader, Scope, is_plain, places};
 use super::{Claimed, Compared, Comparison, Formulas, Sign, Term};
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind};

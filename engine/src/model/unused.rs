@@ -43,13 +43,13 @@ fn shared_range(decls: &[syntax::ShapeDecl], place: &dyn Fn(Span) -> Place) -> O
         }
         // `0 < a, b`, `a, b > 0`, but not `a > 0, b`
         (_, Some((low, high, _))) if ends.len() == 1 && run.len() > 1 => {
-            let outer = |d: &syntax::ShapeDecl, is_end: bool| {
+            // Whether the end stands before the name.
+            let begins = |d: &syntax::ShapeDecl| {
                 let own = d.parts.iter().find(|p| named(p))?;
                 let end = d.parts.iter().find(|p| !named(p))?;
-                let before = end.span.start() < own.span.start();
-                Some(before != is_end)
+                Some(end.span.start() < own.span.start())
             };
-            let is_shared = outer(&run[0], false) == Some(true) || outer(run.last()?, true) == Some(true);
+            let is_shared = begins(&run[0]) == Some(true) || begins(run.last()?) == Some(false);
             if !is_shared {
                 return None;
             }

@@ -6,7 +6,7 @@
 //! so. Any other one is cut off at 0 from the side on which it lies: what is divided by it then is infinite or NaN, which can be seen,
 //! and not a number of the wrong sign, which cannot.
 
-use super::form::{FunctionForm, has_one_sign};
+use super::sign::has_one_sign;
 use super::{Builder, Input, Node, Ref};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
@@ -35,8 +35,8 @@ pub struct Completed {
 }
 
 impl Sign {
-    pub(super) fn of(family: &Family, denominator: &FunctionForm) -> Self {
-        if has_one_sign(&denominator.bernstein, &family.region()) {
+    pub(super) fn of(family: &Family, bernstein: &[Poly]) -> Self {
+        if has_one_sign(bernstein, &family.region()) {
             return Self::Kept;
         }
         let mut value = family.over.clone();

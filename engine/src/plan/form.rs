@@ -3,8 +3,7 @@
 use basis_prover::collections::list::{Listed, Mapped};
 
 use super::denominator::{Completed, Sign};
-use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement};
-use std::rc::Rc;
+use super::sign::has_one_sign;
 
 use crate::algebra::divisors::gcd::square_free;
 use crate::algebra::number::binomial;
@@ -146,7 +145,7 @@ impl RationalForm {
         let is_tabulated = is_affine && family.over.is_one() && terms > MAX_TERMS;
         let numerators = IntervalForm { var, low: low.clone(), high: high.clone(), degree, functions };
         let denominator = form(&family.over, &one)?;
-        let sign = Sign::of(family, &denominator);
+        let sign = Sign::of(family, &denominator.bernstein);
         let has_unit = family.analytic.is_empty() || (low.is_zero() && high.is_one());
         let completes = is_affine && has_unit && sign != Sign::Kept;
         let completed = completes.then(|| Completed::of(family)).flatten();
@@ -282,23 +281,6 @@ fn expanded(coefficients: &[Poly], form: &IntervalForm) -> Poly {
         sum = &sum + &(&(&s.pow(n - j) * &x.pow(j)).scale(&binomial(n, j)) * c);
     }
     sum
-}
-
-/// Whether Bernstein coefficients are all ≥ 0, or all ≤ 0, for all shape values: as numbers, or as polynomials whose own
-/// coefficients show it.
-pub(super) fn has_one_sign(coefficients: &[Poly], region: &Region) -> bool {
-    let domain = Rc::new(Domain::of(region.clone()));
-    let fine = |p: &Poly| {
-        p.as_constant().map_or_else(
-            || {
-                let (value, domain) = (Quotient::from(p.clone()), Rc::clone(&domain));
-                let statement = Statement::Sign { value, relation: Relation::NonNegative, domain };
-                Proof::new(Rc::new(statement), Certificate::Direct, &mut Work::usual(1)).is_ok()
-            },
-            |c| !c.is_negative(),
-        )
-    };
-    coefficients.iter().all(fine) || coefficients.iter().all(|c| fine(&-c))
 }
 
 /// The work for the common divisors of one function.

@@ -6,9 +6,30 @@
 
 use super::build::{Builder, Variable};
 use super::{Input, Node, Plan, Ref};
-use crate::algebra::range::Range;
+use crate::algebra::poly::Poly;
+use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement};
 use basis_prover::collections::list::Listed;
+use std::rc::Rc;
+
+/// Whether Bernstein coefficients are all ≥ 0, or all ≤ 0, for all shape values: as numbers, or as polynomials whose own
+/// coefficients show it.
+pub(super) fn has_one_sign(coefficients: &[Poly], region: &Region) -> bool {
+    let domain = Rc::new(Domain::of(region.clone()));
+    let fine = |p: &Poly| {
+        p.as_constant().map_or_else(
+            || {
+                let (value, domain) = (Quotient::from(p.clone()), Rc::clone(&domain));
+                let statement = Statement::Sign { value, relation: Relation::NonNegative, domain };
+                Proof::new(Rc::new(statement), Certificate::Direct, &mut Work::usual(1)).is_ok()
+            },
+            |c| !c.is_negative(),
+        )
+    };
+    coefficients.iter().all(fine) || coefficients.iter().all(|c| fine(&-c))
+}
 
 /// An interval; an end that is `None` is not known, or infinite.
 #[derive(Clone)]

@@ -7,8 +7,8 @@ use num_bigint::{BigInt, Sign};
 use num_integer::Integer as _;
 use num_traits::One as _;
 
+use super::done::did;
 use super::rational::{Rational, Words};
-use super::work::did;
 use crate::collections::list::Mapped;
 
 /// A step from one basis to another; changes of basis are short lists of them.

@@ -4,10 +4,10 @@ use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, Mul, Neg, Sub};
 
+use super::done::did;
 use super::fibre::{Change, Step};
 pub use super::monomial::{Monomial, Var};
 use super::rational::Rational;
-use super::work::did;
 use crate::collections::list::Mapped;
 use crate::collections::sort::sort_by;
 

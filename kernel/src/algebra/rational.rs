@@ -12,7 +12,7 @@ use num_bigint::{BigInt, Sign};
 use num_integer::Integer as _;
 use num_traits::{One as _, Signed as _, ToPrimitive as _};
 
-use super::work::did;
+use super::done::did;
 
 /// An exact fraction in lowest terms with a positive denominator.
 #[derive(PartialEq, Eq, Hash)]

@@ -1,23 +1,7 @@
 //! Counts the work of a computation, so that it ends on every input at the same point on every machine.
 
-use core::cell::Cell;
-
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-
-std::thread_local! {
-    static DONE: Cell<u64> = const { Cell::new(0) };
-}
-
-/// The units that polynomials and long numbers have taken on this thread, roughly, counted in advance or not.
-pub fn done() -> u64 {
-    DONE.get()
-}
-
-/// Notes an operation.
-pub(super) fn did(units: u64) {
-    DONE.set(DONE.get().saturating_add(units));
-}
 
 /// Work that may still be done, in units of about one product of two numbers of a machine word.
 #[derive(Clone, Debug)]

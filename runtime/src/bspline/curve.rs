@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use super::rows::{self, Rows};
 use core::ops::Range;
 
+use super::functions::combine;
 use super::{KnotError, KnotVector, SplineError, slices};
 use crate::curve::{divisible, inside, nonempty};
 use crate::geometry::{backwards, possible, replace_first};
@@ -391,13 +392,6 @@ impl<P: Point> ParametricCurve for BSplineCurve<P> {
     fn extent(&self) -> P::Scalar {
         self.points.iter().fold(P::Scalar::ZERO, |largest, &p| largest.max(largest_component(p)))
     }
-}
-
-/// `Σ factors[i] points[i]`.
-#[inline]
-pub(super) fn combine<P: Point>(factors: &[P::Scalar], points: &[P]) -> P {
-    let sum = |sum: P, (&factor, &point): (&P::Scalar, &P)| sum.add_scaled(point, factor);
-    factors.iter().zip(points).fold(P::zero(), sum)
 }
 
 /// The middle of each span; none where it would coincide with an end of the span.

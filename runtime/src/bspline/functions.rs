@@ -4,7 +4,7 @@
 
 use super::buffer::Buffer;
 use super::{KnotError, KnotVector};
-use crate::Scalar;
+use crate::{Point, Scalar};
 
 impl<S: Scalar> KnotVector<S> {
     /// The first nonvanishing basis function at `t`, and the values of it and the `k` functions after it.
@@ -140,4 +140,11 @@ impl<S: Scalar> KnotVector<S> {
         }
         values
     }
+}
+
+/// `Σ factors[i] points[i]`.
+#[inline]
+pub(super) fn combine<P: Point>(factors: &[P::Scalar], points: &[P]) -> P {
+    let sum = |sum: P, (&factor, &point): (&P::Scalar, &P)| sum.add_scaled(point, factor);
+    factors.iter().zip(points).fold(P::zero(), sum)
 }

@@ -10,7 +10,7 @@
 use alloc::vec::Vec;
 
 use super::KnotVector;
-use super::curve::combine;
+use super::functions::combine;
 use super::net::Net;
 use crate::form::{EndpointPoints, MOST_COMPONENTS, endpoint_coefficients, horner};
 use crate::simd::{Kernel, dispatch};

@@ -3,7 +3,8 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::curve::{combine, middles};
+use super::curve::middles;
+use super::functions::combine;
 use super::rows::{self, Rows};
 use super::slices::Lines;
 use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};

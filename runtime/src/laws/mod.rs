@@ -59,6 +59,15 @@ pub struct Checks {
     pub tolerance: f64,
 }
 
+impl Checks {
+    /// Whether a difference is rounding: at most `tolerance` units of `size` for each of `degree + 1` operations. NaN is
+    /// no small difference.
+    fn accept<S: Scalar>(&self, found: S, expected: S, size: S, degree: usize) -> bool {
+        let unit = S::EPSILON * S::from_usize(degree + 1);
+        (found - expected).abs() <= S::of(self.tolerance) * unit * size
+    }
+}
+
 impl Default for Checks {
     fn default() -> Self {
         Self { samples: 200, seed: 1, tolerance: 32.0 }
@@ -309,14 +318,7 @@ pub fn convex_hull<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation
         // The components of the points in a random direction are random numbers.
         let points = random.numbers::<B::Scalar, B::Points<B::Scalar>>();
         let found = Curve::new(*basis, points).eval(t);
-        let [low, high] = crate::bernstein::bounds(points.as_ref());
-        let expected = if found < low {
-            low
-        } else if found > high {
-            high
-        } else {
-            found
-        };
+        let expected = within_hull(found, points.as_ref());
         close::<B>(Law::ConvexHull, t, found, expected, size(points.as_ref()), checks)?;
     }
     Ok(())
@@ -360,6 +362,18 @@ fn step<S: Scalar>() -> S {
     step
 }
 
+/// The number nearest to `found` between the smallest and the largest control point; NaN stays NaN.
+fn within_hull<S: Scalar>(found: S, points: &[S]) -> S {
+    let [low, high] = crate::bernstein::bounds(points);
+    if found < low {
+        low
+    } else if found > high {
+        high
+    } else {
+        found
+    }
+}
+
 /// The largest absolute value.
 fn size<S: Scalar>(values: &[S]) -> S {
     values.iter().fold(S::ZERO, |size, value| size.max(value.abs()))
@@ -373,10 +387,8 @@ fn close<B: Basis>(
     size: B::Scalar,
     checks: &Checks,
 ) -> Result<(), Violation> {
-    let unit = B::Scalar::EPSILON * B::Scalar::from_usize(B::DEGREE + 1);
-    let allowed = B::Scalar::of(checks.tolerance) * unit * size;
-    // NaN is no small difference.
-    if (found - expected).abs() <= allowed { Ok(()) } else { Err(violation::<B>(law, t, found, expected)) }
+    let near = checks.accept(found, expected, size, B::DEGREE);
+    if near { Ok(()) } else { Err(violation::<B>(law, t, found, expected)) }
 }
 
 fn exact<B: Basis>(law: Law, t: B::Scalar, found: B::Scalar, expected: B::Scalar) -> Result<(), Violation> {

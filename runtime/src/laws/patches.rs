@@ -1,7 +1,7 @@
 //! The laws of families of several coordinates, whatever the domain.
 
 use super::random::Random;
-use super::{Checks, Law, Place, Violation, size, step};
+use super::{Checks, Law, Place, Violation, size, step, within_hull};
 use crate::domain::from_unit;
 use crate::{Array, DomainFactor, Scalar};
 
@@ -122,10 +122,8 @@ fn close<F: Patches>(
     [found, expected, size]: [F::Scalar; 3],
     checks: &Checks,
 ) -> Result<(), Violation> {
-    let unit = F::Scalar::EPSILON * F::Scalar::from_usize(degree::<F>() + 1);
-    let allowed = F::Scalar::of(checks.tolerance) * unit * size;
-    // NaN is no small difference.
-    if (found - expected).abs() <= allowed { Ok(()) } else { Err(broken::<F>(law, at, found, expected)) }
+    let near = checks.accept(found, expected, size, degree::<F>());
+    if near { Ok(()) } else { Err(broken::<F>(law, at, found, expected)) }
 }
 
 fn broken<F: Patches>(law: Law, at: F::Coordinates, found: F::Scalar, expected: F::Scalar) -> Violation {
@@ -206,15 +204,7 @@ pub(super) fn convex_hull<F: Patches>(family: F, checks: &Checks) -> Result<(), 
         // The components of the points in a random direction are random numbers.
         let control: F::Points = random.numbers();
         let found = family.patch(control, at, None);
-        let [low, high] = crate::bernstein::bounds(control.as_ref());
-        // Written so that NaN stays.
-        let expected = if found < low {
-            low
-        } else if found > high {
-            high
-        } else {
-            found
-        };
+        let expected = within_hull(found, control.as_ref());
         close::<F>(Law::ConvexHull, at, [found, expected, size(control.as_ref())], checks)?;
     }
     Ok(())

@@ -411,7 +411,7 @@ pub(super) struct Cells {
     /// For each line `v = const` the `u` of the corners on it.
     on_v: BTreeMap<u32, BTreeSet<u32>>,
     /// The corners of rectangles.
-    index: Index,
+    corners: Index<()>,
     /// The number of rectangles, the first ones, that [`Cells::refine`] has looked at.
     seen: usize,
     /// The corners that have been added since then, as `[u, v]` and as `[v, u]`.
@@ -508,10 +508,10 @@ impl Cells {
         self.leaves.push(leaf);
         for node @ [u, v] in cell.corners() {
             // Most corners are those of neighbours too.
-            if self.index.get(node).is_some() {
+            if self.corners.get(node).is_some() {
                 continue;
             }
-            self.index.insert(node, 0);
+            self.corners.insert(node, ());
             if self.on_u.entry(u).or_default().insert(v) {
                 self.fresh[0].push([u, v]);
             }

@@ -1,26 +1,26 @@
-//! Numbers of the corners of one surface.
+//! What is known of the corners of one surface.
 
 use alloc::vec::Vec;
 
 use super::facets::Node;
 
-/// A table from corners to numbers, each at the first free place after the one that it is given: there are no others
+/// A table from corners to values, such as numbers, each at the first free place after the one that it is given: there are no others
 /// between neighbours of a grid, and no corner is taken out.
 #[derive(Debug, Default)]
-pub(super) struct Index {
+pub(super) struct Index<T> {
     /// A power of two of places, at least twice as many as corners.
-    places: Vec<Option<(Node, u32)>>,
+    places: Vec<Option<(Node, T)>>,
     count: usize,
 }
 
-impl Index {
-    /// The number of a corner.
-    pub(super) fn get(&self, node: Node) -> Option<u32> {
-        if self.places.is_empty() { None } else { self.places[self.place(node)].map(|(_, number)| number) }
+impl<T: Copy> Index<T> {
+    /// The value of a corner.
+    pub(super) fn get(&self, node: Node) -> Option<T> {
+        if self.places.is_empty() { None } else { self.places[self.place(node)].map(|(_, value)| value) }
     }
 
-    /// Gives a corner that is not there yet a number.
-    pub(super) fn insert(&mut self, node: Node, number: u32) {
+    /// Gives a corner that is not there yet a value.
+    pub(super) fn insert(&mut self, node: Node, value: T) {
         if 2 * (self.count + 1) > self.places.len() {
             let more = (2 * self.places.len()).max(64);
             let old = core::mem::replace(&mut self.places, alloc::vec![None; more]);
@@ -30,7 +30,7 @@ impl Index {
             }
         }
         let place = self.place(node);
-        self.places[place] = Some((node, number));
+        self.places[place] = Some((node, value));
         self.count += 1;
     }
 

@@ -248,7 +248,7 @@ struct Builder<S> {
     points: Vec<[S; 3]>,
     vertices: Vec<Vertex<S>>,
     /// The vertices of each surface.
-    index: Vec<Index>,
+    index: Vec<Index<u32>>,
     triangles: Vec<[u32; 3]>,
 }
 
