@@ -20,6 +20,8 @@ pub struct Budget {
     disabled: Vec<Method>,
     /// What there was at the beginning; 0 for a part, which counts with the whole.
     units: u64,
+    /// Whether this was less than usual, for the sake of the work within which it is done.
+    is_short: bool,
 }
 
 thread_local! {
@@ -29,6 +31,11 @@ thread_local! {
     static CEILING: Cell<u64> = const { Cell::new(u64::MAX) };
     /// The units of the innermost `within`.
     static SHARE: Cell<u64> = const { Cell::new(u64::MAX) };
+}
+
+thread_local! {
+    /// How many decisions the ceilings have cut short.
+    static CUTS: Cell<u64> = const { Cell::new(0) };
 }
 
 /// How many times its share of the work a claim may take in one check of a proof that was found.
@@ -62,13 +69,31 @@ pub fn measured<T>(work: &mut dyn FnMut() -> T) -> (T, u64) {
 /// A claim about spans, or one that takes enclosures of a sine, is decided in many parts, and each of them has a budget
 /// of its own.
 pub fn within<T>(units: u64, work: &mut dyn FnMut() -> T) -> T {
-    let outer = (CEILING.get(), SHARE.get());
-    CEILING.set(outer.0.min(spent().saturating_add(units)));
+    let outer = (CEILING.get(), SHARE.get(), CUTS.get());
+    let own = spent().saturating_add(units);
+    CEILING.set(outer.0.min(own));
     SHARE.set(outer.1.min(units));
     let result = work();
     CEILING.set(outer.0);
     SHARE.set(outer.1);
+    if own < outer.0 {
+        // What these units cut short is the same whatever there is around them.
+        CUTS.set(outer.2);
+    }
     result
+}
+
+/// The same, and whether anything went without work that it would have had alone: if so, with more units something else may
+/// come out.
+pub fn cut_short_within<T>(units: u64, work: &mut dyn FnMut() -> T) -> (T, bool) {
+    let mut cuts = 0;
+    let result = within(units, &mut || {
+        let before = CUTS.get();
+        let result = work();
+        cuts = CUTS.get() - before;
+        result
+    });
+    (result, cuts > 0)
 }
 
 /// The work for checking a proof that was found, with `budget` times the usual work.
@@ -79,6 +104,9 @@ pub(crate) fn checking(budget: u32) -> Work {
 /// What counts of a check that was refused for want of work. It ends when something is more than what is left, of which
 /// nothing is done; all that was left is counted by the kernel.
 pub(crate) fn charge_refused(units: u64) {
+    if SHARE.get() < u64::MAX {
+        CUTS.set(CUTS.get() + 1);
+    }
     charge(units.min(SHARE.get()));
 }
 
@@ -90,6 +118,10 @@ pub fn working<T>(budget: u32, work: &mut dyn FnMut(&mut Work) -> T) -> T {
 impl Drop for Budget {
     fn drop(&mut self) {
         SPENT.set(SPENT.get() + self.units.saturating_sub(self.work.left()));
+        // Whoever asks for more than is left has nothing left.
+        if self.is_short && self.work.left() == 0 {
+            CUTS.set(CUTS.get() + 1);
+        }
     }
 }
 
@@ -103,8 +135,9 @@ impl Budget {
     /// The usual work times a factor, or what is left of the work within which it is done.
     pub fn scaled(factor: u32) -> Self {
         let left = CEILING.get().saturating_sub(spent());
-        let units = UNITS.saturating_mul(u64::from(factor)).min(left);
-        Self { work: Work::new(units), disabled: Vec::new(), units }
+        let usual = UNITS.saturating_mul(u64::from(factor));
+        let units = usual.min(left);
+        Self { work: Work::new(units), disabled: Vec::new(), units, is_short: units < usual }
     }
 
     /// The same without one of the methods; what the others cannot decide is undecided.
@@ -127,7 +160,7 @@ impl Budget {
     pub(super) fn take(&mut self, units: u64) -> Self {
         let part = self.left().min(units);
         let _ = self.work.spend(part);
-        Self { work: Work::new(part), disabled: self.disabled.clone(), units: 0 }
+        Self { work: Work::new(part), disabled: self.disabled.clone(), units: 0, is_short: false }
     }
 
     /// Puts back what a part has left over.

@@ -1,7 +1,7 @@
 //! The claims of a run together: each has a budget of its own, but a spec may have any number of claims.
 
 use basis_prover::collections::list::Listed;
-use basis_prover::{measured, spent, within};
+use basis_prover::{cut_short_within, measured};
 
 use super::Verdict;
 use crate::claim::Claim;
@@ -16,6 +16,9 @@ const CLAIM: u64 = 500;
 /// What a claim may take in each round. Nineteen of twenty claims about angles and exponentials are decided in the first two, as
 /// are nearly all about polynomials; together the rounds before the last one take a fifth of what that may take.
 const ROUNDS: [u64; 4] = [250_000, 1_000_000, 4_000_000, UNITS];
+
+/// Of a proof that took all the work there was for it.
+const IN_PARTS: &str = "the other claims have left too little work for it; check it in a spec of its own";
 
 /// The work that is left for the claims of a run. These are decided in rounds, so that a hard claim takes nothing from an easy one,
 /// wherever they stand.
@@ -51,11 +54,19 @@ impl Run {
         let quarter = core::cmp::max(self.left / 4, ROUNDS[0]);
         let budget = subject.budget();
         let units = core::cmp::min(*ROUNDS.get(round)?, quarter).saturating_mul(u64::from(budget));
-        let before = spent();
-        let verdict = self.counted_work(budget, &mut || within(units, &mut || super::decide(subject, claim)));
-        // What it did not take would not help either.
-        let is_final = round + 1 == Self::ROUNDS || spent() - before < units;
-        Some(verdict).filter(|v| is_final || !matches!(v, Verdict::Undecided(_)))
+        let mut decide = || cut_short_within(units, &mut || super::decide(subject, claim));
+        let (verdict, is_cut) = self.counted_work(budget, &mut decide);
+        if !is_cut {
+            return Some(verdict);
+        }
+        // Something went without work, so that the statements of a proof may be other than those that the claim alone makes, which
+        // are those that certificates are held against. A counterexample is checked by itself.
+        match verdict {
+            Verdict::Refuted(_) => Some(verdict),
+            _ if round + 1 < Self::ROUNDS => None,
+            Verdict::Proved(_) => Some(Verdict::Undecided(String::from(IN_PARTS))),
+            _ => Some(verdict),
+        }
     }
 
     /// Decides a claim alone, in the last round.
@@ -159,5 +170,61 @@ mod tests {
         let verdicts = decided(item, &mut run);
         assert!(verdicts[..2].iter().all(|v| matches!(v, Verdict::Undecided(_))), "{verdicts:?}");
         assert!(matches!(verdicts[2], Verdict::Proved(_)), "{verdicts:?}");
+    }
+
+    /// However little work there is: a verdict that was not cut short is that of the claim alone, and its proofs are of the statements
+    /// that are made again for a certificate.
+    #[test]
+    fn proofs_do_not_depend_on_the_work_of_others() {
+        let spec = "family F {
+            shape 0 < α <= pi/2;
+            domain 0 <= t <= α;
+            b[0] = t - sin(t);
+            b[1] = cos(t);
+            b[2] = (t - sin(t))/(α - sin(α));
+            prove b[0] >= 0;
+            prove b[2] <= 1;
+            prove b[0]*b[1] <= 1/10;
+            prove t*b[1] <= sin(t);
+            refute b[0] >= t/2;
+        }
+        family G {
+            shape 0 < α;
+            domain 0 <= t <= α;
+            b[0] = sinh(t) - t;
+            b[1] = t*cosh(t) - sinh(t);
+            prove nonnegative;
+            prove b[1] >= b[0];
+        }";
+        let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("cut.basis", spec));
+        let (mut cut, mut proved) = (0, 0);
+        for item in library.items(Selected::EveryOrder) {
+            for claim in &item.claims {
+                let decide =
+                    |units: u64| cut_short_within(units, &mut || super::super::decide(&item.subject, claim));
+                let (alone, is_cut) = decide(u64::MAX);
+                assert!(!is_cut);
+                for units in (4..28).map(|k| (1 << k) / 3 * 2) {
+                    let (verdict, is_cut) = decide(units);
+                    if is_cut {
+                        cut += 1;
+                        continue;
+                    }
+                    assert_eq!(
+                        core::mem::discriminant(&verdict),
+                        core::mem::discriminant(&alone),
+                        "{}",
+                        claim.text
+                    );
+                    let Verdict::Proved(evidence) = verdict else { continue };
+                    let again =
+                        crate::state::statements(&item.subject, claim, evidence.ways()).expect("it is made");
+                    let shown = evidence.steps().iter().map(|(_, proof)| proof.statement());
+                    assert!(shown.eq(again.iter().map(|stated| &stated.statement)), "{}", claim.text);
+                    proved += 1;
+                }
+            }
+        }
+        assert!(cut > 20 && proved > 20, "{cut} attempts were cut short, {proved} proved");
     }
 }
