@@ -35,6 +35,8 @@ pub struct Completed {
 }
 
 impl Sign {
+    /// That at one point at which all conditions hold: a family is made only when its denominator is proved to have one sign
+    /// wherever they do.
     pub(super) fn of(family: &Family, bernstein: &[Poly]) -> Self {
         if has_one_sign(bernstein, &family.region()) {
             return Self::Kept;
