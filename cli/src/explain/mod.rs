@@ -9,9 +9,7 @@ use std::rc::Rc;
 
 use basis_engine::state::Run;
 use basis_engine::theorem::theorems;
-use basis_engine::{
-    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, decide_within, explain,
-};
+use basis_engine::{Disk, Family, Item, Library, Prover, Selected, Severity, Subject, decide_all, explain};
 
 use crate::args::{ExplainArguments, ExplainFormat};
 use crate::output::{self, Status, complain};
@@ -66,15 +64,22 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
         },
         None => None,
     };
-    let run = &mut Run::default();
     let mut all = Vec::new();
     let mut left_out = 0;
-    for family in families.unwrap_or_default() {
+    // All claims first, and then facts with the work of a run of their own: neither takes what the other needs.
+    let run = &mut Run::default();
+    let families = families.unwrap_or_default();
+    let items: Vec<_> = families.iter().map(|family| item(&library, family)).collect();
+    let known: Vec<bool> = items.iter().map(Option::is_some).collect();
+    let mut checked = decide_all(items.into_iter().flatten().collect(), run).into_iter();
+    let checked: Vec<_> = known.into_iter().map(|known| known.then(|| checked.next()).flatten()).collect();
+    let theorems = decide_all(theorems, run);
+    let run = &mut Run::default();
+    for (family, checked) in families.into_iter().zip(checked) {
         if run.is_spent() {
             left_out += 1;
             continue;
         }
-        let checked = checked(&library, &family, run);
         let next = next_order(&library, &family);
         let conversions = match &target {
             Some(target) => match explain::conversions(&family, target) {
@@ -99,7 +104,7 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
             all.push(Facts::Family(Box::new(facts)));
         }
     }
-    all.extend(theorems.into_iter().filter_map(|theorem| Facts::theorem(&decide_within(theorem, run))));
+    all.extend(theorems.iter().filter_map(Facts::theorem));
     let printed = match arguments.format {
         ExplainFormat::Text => {
             let mut text = String::new();
@@ -122,10 +127,10 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     if errors.is_empty() && left_out == 0 { printed } else { Status::Unusable }
 }
 
-/// The claims of a family with their verdicts.
-fn checked(library: &Library<'_>, family: &Family, run: &mut Run) -> Option<Checked> {
+/// A family with its claims.
+fn item(library: &Library<'_>, family: &Family) -> Option<Item> {
     let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
-    Some(decide_within(library.item(&family.name, &order).ok()?, run))
+    library.item(&family.name, &order).ok()
 }
 
 /// A family with one index parameter in the order after this one, if there is one.

@@ -29,6 +29,15 @@ impl Conditions<'_> {
         Some(p)
     }
 
+    /// |p|, or where p changes its sign on the cell, as t² − ω(1 − t)² does for ω > 0, a multiple of q that is not less.
+    pub(super) fn size(&mut self, p: &Poly, q: &Poly, work: &mut Work) -> Option<Poly> {
+        if let Some(size) = self.absolute(p, work) {
+            return Some(size);
+        }
+        let most = self.largest(p, q, work)?;
+        Some(q.scale(&most))
+    }
+
     /// Whether a step does not round on the cell.
     pub(super) fn is_exact(&mut self, exact: &mut Exact<'_>, k: usize, work: &mut Work) -> Option<bool> {
         let either = match exact.rounds(k, work)? {

@@ -6,7 +6,7 @@
 //!
 //! error = value·Σₖ δₖ Rₖ/G, Rₖ = mₖG + Σ_F m_F·N_F,ₖ·G/F.
 //!
-//! If all Rₖ, and G, have one sign each on a cell, κ|G| − Σ|Rₖ| is a polynomial.
+//! If G has one sign on a cell, and each Rₖ has one or is at most a multiple of |G|, κ|G| − Σ|Rₖ| is at least a polynomial.
 
 use std::rc::Rc;
 
@@ -96,7 +96,7 @@ impl Relative {
         for share in &self.shares.groups {
             let weight = share.weight(exact, &mut conditions, work)?;
             if !weight.is_zero() {
-                sum = &sum + &conditions.absolute(&share.poly, work)?.scale(&weight);
+                sum = &sum + &conditions.size(&share.poly, &value, work)?.scale(&weight);
             }
         }
         let first = cell.ratio(&sum, &value, work)?;
