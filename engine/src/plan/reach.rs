@@ -217,7 +217,7 @@ fn slope(end: &Fraction, var: Var) -> Rational {
 /// Not above a number, and short to write: quarters from 8 on, below these 64ths, which every float has.
 fn short(x: &Rational) -> Rational {
     let parts = Rational::from(if *x < Rational::from(8) { 64 } else { 4 });
-    (&(x * &parts).floor()).checked_div(&parts).unwrap_or(Rational::ZERO)
+    (x * &parts).floor().checked_div(&parts).unwrap_or(Rational::ZERO)
 }
 
 /// A reach as a decimal number.
