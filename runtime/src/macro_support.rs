@@ -50,6 +50,27 @@ pub fn check_shape<S: Scalar>(
     }
 }
 
+/// `value` if it is not above what this kind of floats reaches: `reaches` has the largest shape value with which exponentials of
+/// it do not overflow, and the range with this end as text, for `f64` and for `f32`.
+///
+/// # Errors
+/// Otherwise, the error that names the family, the parameter and that range.
+#[inline]
+pub fn check_reach<S: Scalar>(
+    family: &'static str,
+    parameter: &'static str,
+    value: S,
+    reaches: [(f64, &'static str); 2],
+) -> Result<S, ShapeError> {
+    let is_double = S::of(f64::MAX).is_finite();
+    let (largest, range) = reaches[usize::from(!is_double)];
+    if value <= S::of(largest) {
+        Ok(value)
+    } else {
+        Err(ShapeError::new(family, parameter, value.to_f64(), range))
+    }
+}
+
 /// `point`, which a join computes, if all its components are finite.
 ///
 /// # Errors

@@ -82,6 +82,11 @@ fn what_cannot_be_written_is_an_error() {
             "endless.basis",
             "family F { shape 0 < α; domain 0 <= t <= α; b[0] = (sinh(t) - t)/(sinh(α) - α); }",
         )
+        .and(
+            "long.basis",
+            "family F { shape 0 < α <= 60; domain 0 <= t <= α; b[0] = (sinh(t) - t)/(sinh(α) - α); }",
+        )
+        .and("vast.basis", "family F { shape 0 < α <= 600; domain 0 <= t <= α; b[0] = sinh(t)/sinh(α); }")
         .and("rational.basis", rational)
         .and("huge.basis", "family Huge { domain 0 <= t <= 1; b[0] = 10^50*t; b[1] = 1 - t; }")
         .and("theorem.basis", theorem);
@@ -94,7 +99,9 @@ fn what_cannot_be_written_is_an_error() {
         (vec!["bern.basis"], 2, "every family in it has index parameters"),
         (vec!["false.basis"], 1, "the claim `b[0] = b[1]` is false"),
         (vec!["broken.basis"], 1, "broken.basis:1"),
-        (vec!["endless.basis", "--to", "c"], 1, "end the range of `α`: `shape 0 < α <= 8;`"),
+        (vec!["endless.basis", "--to", "c"], 1, "end the range of `α` earlier: `shape 0 < α <= 16;`"),
+        (vec!["long.basis", "--to", "c"], 1, "end the range of `α` earlier: `shape 0 < α <= 16;`"),
+        (vec!["vast.basis", "--to", "c"], 1, "exp(600), which this contains, is too large a number"),
         (vec!["unknown.basis"], 1, "the name `u` is not declared"),
         (
             vec!["rational.basis"],

@@ -13,6 +13,7 @@ use super::{FamilyCode, JoinCode, Knot, Language, Net, Shape, Value, decimal, is
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
 use crate::plan::Input;
+use crate::plan::reach::decimal as reach_text;
 use crate::steps::{EndSteps, FamilySteps, Function, Steps};
 
 /// Python 3.9 and later.
@@ -111,6 +112,14 @@ def _call(name, x):
         return INFINITY
 "#;
 
+/// What a file with a family whose shape values overflow earlier in `float32` has beside that.
+const IS_SINGLE: &str = r#"
+
+def _is_single(x):
+    """Whether a shape value is of the type float32; a float of Python becomes that later, beside such arrays."""
+    return str(getattr(x, "dtype", "")).endswith("float32")
+"#;
+
 /// What a file with a family on several spans has beside that.
 const ON_SPANS: &str = r#"
 
@@ -142,8 +151,14 @@ impl Python {
 
     /// The line that checks a shape value.
     fn check(self, of: &str, shape: &Shape<'_>) -> String {
-        let inside = inside(shape, &self, "&", ("<", "INFINITY"));
-        let message = quoted(&format!("{of}: `{}` must be finite, with {}", shape.written, shape.shown));
+        let mut inside = inside(shape, &self, "&", ("<", "INFINITY"));
+        let mut message = format!("{of}: `{}` must be finite, with {}", shape.written, shape.shown);
+        if let Some(single) = &shape.single {
+            let name = &shape.name;
+            inside += &format!(" & (({name} <= {}) | (not _is_single({name})))", self.signed(single));
+            message += &format!(", and at most {} in float32", reach_text(single));
+        }
+        let message = quoted(&message);
         format!("_check({message}, {}, {inside})\n", shape.name)
     }
 
@@ -274,6 +289,7 @@ impl Language for Python {
         let mut text =
             format!("{header}#\n# `float` stands for a number or an array of numbers.\n\n{import}{SUPPORT}");
         text += if calls { CALL } else { "" };
+        text += if all.contains("_is_single(") { IS_SINGLE } else { "" };
         text += if all.contains("_on_spans(") { ON_SPANS } else { "" };
         for item in items {
             text += "\n\n";
@@ -388,11 +404,12 @@ impl Class<'_> {
                 .shapes
                 .iter()
                 .map(|s| {
-                    if s.doc.is_empty() {
-                        s.shown.clone()
-                    } else {
-                        format!("{} ({})", s.shown, s.doc.join(" "))
-                    }
+                    let single = s.single.as_ref().map(|single| {
+                        format!(", at most {} where it or a coordinate is a float32", reach_text(single))
+                    });
+                    let about =
+                        if s.doc.is_empty() { String::new() } else { format!(" ({})", s.doc.join(" ")) };
+                    s.shown.clone() + &single.unwrap_or_default() + &about
                 })
                 .collect();
             format!("{}. Raises ValueError for other shape values.", shown.join("; "))

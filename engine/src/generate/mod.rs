@@ -34,9 +34,9 @@ use quote::quote_spanned;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
-use crate::model::angle::Angle;
 use crate::model::tangents::in_tangents;
 use crate::plan::form::{IntervalForm, RationalForm};
+use crate::plan::reach::{self, Reach};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
 pub use code::names::ascii;
@@ -136,17 +136,18 @@ fn in_evaluated_form(family: &Family) -> Result<Cow<'_, Family>, Diagnostic> {
     let error = |message: &str| Diagnostic::error(family.place.clone(), message).help(NO_CODE);
     if series::is_mixed(family) {
         return series::in_polynomials(family).map(Cow::Owned).ok_or_else(|| {
-            let endless = |angle: &&Angle| angle.ends.iter().any(String::is_empty);
-            if let Some(angle) = family.analytic.angles.iter().find(endless) {
-                let message = "no code is generated for families with the domain variable beside its exponential and a shape \
-                               parameter without a largest value";
-                let name = &angle.name;
+            if let Some((name, range)) = series::longest(family) {
+                let message = format!(
+                    "no code is generated for `{}` with all values of `{name}` in its range: beside its sine or exponential the domain \
+                     variable is computed from power series in `{name}`, which do not end for large values",
+                    family.title()
+                );
                 let error = Diagnostic::error(family.place.clone(), message);
-                return error.help(format!("end the range of `{name}`: `shape 0 < {name} <= 8;`"));
+                return error.help(format!("end the range of `{name}` earlier: `shape {range};`"));
             }
             error(
                 "no code is generated yet for families with the domain variable beside its sine or exponential and sines of it in \
-                 a denominator, or an end of the domain that is not a multiple of one shape parameter with a range up to about 10",
+                 a denominator, or an end of the domain that is not a multiple of one shape parameter",
             )
         });
     }
@@ -207,7 +208,9 @@ pub(crate) fn documentation(
     verdicts: &[(Claim, Verdict)],
     decided: &str,
 ) -> Option<Vec<String>> {
-    let (formulas, signs) = match (rational_forms(family), IntervalForm::new(family)) {
+    let forms = rational_forms(family);
+    let reaches = reaches(family, forms.as_deref());
+    let (formulas, signs) = match (forms, IntervalForm::new(family)) {
         (Some(forms), _) => {
             (rational::formulas(told, family, &forms), nonnegative::of_quotients(family, &forms))
         }
@@ -217,12 +220,17 @@ pub(crate) fn documentation(
             (patch::formulas(&plans), nonnegative::on_patch(&plans))
         }
     };
-    let bounds = [signs, rounding::lines(proved, family)].concat();
+    let bounds = [signs, code::docs::reaches(family, &reaches), rounding::lines(proved, family)].concat();
     Some(code::docs::family(told, &formulas, &bounds, verdicts, decided))
 }
 
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use rounding::{Bounds, of_told as bounds_of_told};
+
+/// How far floats reach in the shape parameters of a family that is evaluated as these quotients, or as none.
+pub(crate) fn reaches(family: &Family, forms: Option<&[RationalForm]>) -> Vec<Option<Reach>> {
+    forms.map_or_else(|| vec![None; family.shapes.len()], |forms| reach::reaches(family, forms))
+}
 
 /// The quotients of a family that is evaluated by them, one for each span.
 pub(crate) fn rational_forms(family: &Family) -> Option<Vec<RationalForm>> {
@@ -251,8 +259,10 @@ pub(crate) fn definition(
     let told = family;
     let evaluated = evaluated(family, verdicts).map_err(|error| vec![error])?;
     let family = &*evaluated;
-    let shell = Shell { family, name, fields, runtime, decided };
-    let code = match (rational_forms(family), IntervalForm::new(family)) {
+    let forms = rational_forms(family);
+    let reaches = reaches(family, forms.as_deref());
+    let shell = Shell { family, name, fields, runtime, reaches, decided };
+    let code = match (forms, IntervalForm::new(family)) {
         (Some(forms), _) => rational::emit(&shell, told, &forms, verdicts),
         (_, Some(form)) => interval::emit(&shell, &form, verdicts),
         _ => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,

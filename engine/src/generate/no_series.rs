@@ -11,3 +11,8 @@ pub(super) fn is_mixed(_: &Family) -> bool {
 pub(super) fn in_polynomials(_: &Family) -> Option<Family> {
     None
 }
+
+/// Of no family.
+pub(super) fn longest(_: &Family) -> Option<(String, String)> {
+    None
+}

@@ -46,7 +46,8 @@ pub(super) fn emit(
         }
     };
     let formulas = formulas(told, family, forms);
-    let bounds = [nonnegative::of_quotients(family, forms), rounding::lines(&proved, family)].concat();
+    let (signs, reaches) = (nonnegative::of_quotients(family, forms), docs::reaches(family, &shell.reaches));
+    let bounds = [signs, reaches, rounding::lines(&proved, family)].concat();
     let docs = docs::family(told, &formulas, &bounds, verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }
@@ -349,7 +350,7 @@ impl OnSpan<'_> {
             Kind::Hyperbolic => quote_spanned!(site()=> hyperbolic),
         };
         let pi = Analytic::pi();
-        let rate = if angle.turns { &angle.rate * &pi } else { angle.rate.clone() };
+        let rate = angle.speed();
         let shift = if angle.turns { angle.shift.clone() } else { &angle.shift * &pi };
         // The argument of the tangent at both ends.
         let turn = ends
@@ -459,7 +460,7 @@ impl OnSpan<'_> {
     fn tangent(&self, angle: &Angle, circular: &str, hyperbolic: &str) -> TokenStream {
         let Self { runtime, family, shell, .. } = self;
         let field = family.shapes.iter().position(|p| p.var == angle.var).map(|k| &shell.fields[k]);
-        let rate = if angle.turns { &angle.rate * &Analytic::pi() } else { angle.rate.clone() };
+        let rate = angle.speed();
         let rate = number(&rate);
         let function = if angle.kind == Kind::Hyperbolic { hyperbolic } else { circular };
         let function = Ident::new(function, site());

@@ -81,6 +81,11 @@ pub struct Angle {
 }
 
 impl Angle {
+    /// v as a number.
+    pub fn speed(&self) -> Rational {
+        if self.turns { &self.rate * &Analytic::pi() } else { self.rate.clone() }
+    }
+
     /// x in terms of the variables.
     pub fn tangent(&self) -> Fraction {
         &self.low + &(&self.width * &Fraction::var(self.var))

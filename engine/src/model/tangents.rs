@@ -12,8 +12,9 @@ use basis_prover::collections::list::Listed;
 
 use super::angle::{Angle, Kind};
 use super::{Family, Function};
+use crate::algebra::divisors::gcd::gcd_all;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_within;
@@ -70,6 +71,28 @@ fn is_measured(angle: &Angle) -> bool {
     !angle.low.is_zero() || angle.width.as_constant() != Some(Rational::ONE)
 }
 
+/// A common denominator without a factor that is made of numbers such as exp(r) only, of which the functions have none: floats
+/// would overflow by it although no value is large.
+fn without_numbers(family: &Family, functions: &[Function], over: &Poly, work: &mut Work) -> Poly {
+    let numbers = family.analytic.numbers();
+    let mut parts: Vec<(Monomial, Poly)> = Vec::new();
+    for (monomial, c) in over.terms() {
+        let rest = numbers.iter().fold(monomial.clone(), |m, var| m.with_exponent(*var, 0));
+        let number = monomial.checked_div(&rest).map(|number| Poly::term(number, c.clone()));
+        let Some(number) = number else { return over.clone() };
+        match parts.iter_mut().find(|(known, _)| *known == rest) {
+            Some((_, sum)) => *sum = &*sum + &number,
+            None => parts.push((rest, number)),
+        }
+    }
+    let parts = parts.into_iter().map(|(_, number)| number).listed();
+    let shorter = gcd_all(&parts, work)
+        .filter(|common| common.as_constant().is_none())
+        .and_then(|common| over.div_exact(&common));
+    let is_common = |over: &Poly| functions.iter().all(|f| over.div_exact(f.value.denom()).is_some());
+    shorter.filter(is_common).unwrap_or_else(|| over.clone())
+}
+
 /// Numbers beyond the tangents at the ends of a range; of exponentials −1, 0 or 1.
 fn beyond(family: &Family, angle: &Angle) -> Option<[Rational; 2]> {
     let ends = [angle.low.clone(), &angle.low + &angle.width];
@@ -114,6 +137,7 @@ fn replaced(family: &Family, var: Var, value: &Fraction, work: &mut Work) -> Opt
             let rest = Fraction::new(f.value.denom().clone(), over.clone())?;
             over = &over * rest.numer();
         }
+        over = without_numbers(family, &functions, &over, work);
     } else {
         over = Poly::one();
     }

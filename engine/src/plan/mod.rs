@@ -14,6 +14,7 @@
 //! | `join` | the control points that a join of a spec determines |
 //! | `scalars`, `powers` | what these are built of: expressions in shape values, powers of coordinates |
 //! | `sign` | which values rounding could make negative |
+//! | `reach` | the shape values beyond which exponentials overflow |
 //!
 //! The exact formulas that are planned are in [`form`] for families on an interval and in [`patch_form`] for those on
 //! simplices and boxes.
@@ -29,6 +30,7 @@ pub mod patch;
 pub mod patch_form;
 mod powers;
 pub mod rational;
+pub mod reach;
 mod scalars;
 mod sign;
 

@@ -103,7 +103,7 @@ impl Deriving {
     /// The arguments of the tangents of the shape parameters, and these, or what is missing to 1.
     fn tangent(&mut self, family: &Family, angle: &Angle, complement: bool) -> usize {
         let shape = family.shapes.iter().position(|p| p.var == angle.var).unwrap_or(0);
-        let rate = self.builder.constant(rate(angle));
+        let rate = self.builder.constant(angle.speed());
         let input = self.builder.input(Input::Shape(shape));
         let argument = self.builder.mul(rate, input);
         let name = family.name_of(&family.shapes[shape]);
@@ -194,7 +194,7 @@ impl Deriving {
 
     /// As `Chart::circular` and `Chart::hyperbolic`.
     fn turn(&mut self, angle: &Angle, ends: [usize; 2], number: &str) -> Turn {
-        let rate = rate(angle);
+        let rate = angle.speed();
         let b = &mut self.builder;
         let shift = if angle.turns { angle.shift.clone() } else { &angle.shift * &Analytic::pi() };
         let (by, shift) = (b.constant(rate.clone()), b.constant(shift));
@@ -236,11 +236,6 @@ impl Deriving {
         let slopes = [0, 1, 2].map(|k| self.keep(slopes[k], &format!("slope{number}_{k}")));
         Turn { rate, factors, slopes, balance }
     }
-}
-
-/// dψ/dt.
-fn rate(angle: &Angle) -> Rational {
-    if angle.turns { &angle.rate * &Analytic::pi() } else { angle.rate.clone() }
 }
 
 impl<'a> Quotients<'a> {

@@ -42,6 +42,28 @@ fn points_between_ends_that_are_parameters() {
     assert_eq!(found, ["-17/72 at k = 1, m = 11/6, t = 17/12", "1 at k = 1, m = 8/3, t = 8/3", "="]);
 }
 
+/// Numbers such as exp(500) have bounds, so that denominators made of them are known not to vanish.
+#[test]
+fn exponentials_of_large_numbers_have_bounds() {
+    let found = verdicts(
+        "family Long {
+            shape 0 < α <= 500;
+            domain 0 <= t <= α;
+            b[0] = (cosh(α - t) - 1)/(cosh(α) - 1);
+            b[1] = 1 - b[0];
+            prove b[0] >= 0;
+            prove b[1] >= 0;
+            refute b[0] > 0;
+        }",
+    );
+    assert_eq!(found[..2], ["=", "="]);
+    assert!(found[2].starts_with("0 at "), "{found:?}");
+    let beyond = "family F { shape 0 < α <= 600; domain 0 <= t <= α; b[0] = sinh(t)/sinh(α); }";
+    let report = check(Source::text("language.basis", beyond));
+    let messages: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
+    assert_eq!(messages, ["exp(600), which this contains, is too large a number"]);
+}
+
 /// An equation is false where a point of what is assumed says so, if that is a corner or a disk.
 #[test]
 fn equations_under_assumptions() {

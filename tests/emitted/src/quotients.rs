@@ -268,22 +268,14 @@ impl<S: basis_runtime::Scalar> Fall<S> {
         .coordinates(t);
         let _tangent0 = v1::tanh(S::of(0.5) * self.rho);
         let _complement0 = v1::tanh_complement(S::of(0.5) * self.rho);
-        let c0 = S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236);
-        let c1 = S::of(1.0)
-            + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236)
-            + (S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236)) * _tangent0;
-        let c2 = S::of(1.0)
-            + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236)
-            + (S::of(2.0)
-                + (S::of(4.0) + S::of(2.0) * S::of(54.598150033144236)) * S::of(54.598150033144236)
-                + (S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236))
-                    * _tangent0)
-                * _tangent0;
-        let c3 =
-            _tangent0 * (S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236));
-        let w = v1::bernstein([c0, c1, c2], s, x);
+        let c0 = S::of(1.0) + _tangent0;
+        let c1 = S::of(1.0) + (S::of(2.0) + _tangent0) * _tangent0;
+        let w = v1::bernstein([S::of(1.0), c0, c1], s, x);
         let _ = (s, x);
-        [v1::bernstein([c0, c1], s, x) * s / w, S::of(2.0) * v1::bernstein([c3, c3], s, x) * x / w]
+        [
+            v1::bernstein([S::of(1.0), c0], s, x) * s / w,
+            S::of(2.0) * v1::bernstein([_tangent0, _tangent0], s, x) * x / w,
+        ]
     }
     basis_runtime::__with_alloc! {
         #[doc = " The derivatives of the given order in `t` of `[b[0], b[1]]`."]
@@ -331,36 +323,18 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Fall<S> {
     fn numerators(&self) -> [[S; 2]; 3] {
         let _tangent0 = v1::tanh(S::of(0.5) * self.rho);
         let _complement0 = v1::tanh_complement(S::of(0.5) * self.rho);
-        let c0 = S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236);
-        let c1 = (S::of(1.0)
-            + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236)
-            + (S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236))
-                * _tangent0)
-            * S::of(0.5);
-        let c2 =
-            _tangent0 * (S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236));
-        let c3 = _tangent0
-            * (S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236))
-            * S::of(2.0);
-        [[c0, S::of(0.0)], [c1, c2], [S::of(0.0), c3]]
+        let c0 = (S::of(1.0) + _tangent0) * S::of(0.5);
+        let c1 = S::of(2.0) * _tangent0;
+        [[S::of(1.0), S::of(0.0)], [c0, _tangent0], [S::of(0.0), c1]]
     }
 
     #[inline]
     fn denominator(&self) -> [S; 3] {
         let _tangent0 = v1::tanh(S::of(0.5) * self.rho);
         let _complement0 = v1::tanh_complement(S::of(0.5) * self.rho);
-        let c0 = S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236);
-        let c1 = S::of(1.0)
-            + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236)
-            + (S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236)) * _tangent0;
-        let c2 = S::of(1.0)
-            + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236)
-            + (S::of(2.0)
-                + (S::of(4.0) + S::of(2.0) * S::of(54.598150033144236)) * S::of(54.598150033144236)
-                + (S::of(1.0) + (S::of(2.0) + S::of(54.598150033144236)) * S::of(54.598150033144236))
-                    * _tangent0)
-                * _tangent0;
-        [c0, c1, c2]
+        let c0 = S::of(1.0) + _tangent0;
+        let c1 = S::of(1.0) + (S::of(2.0) + _tangent0) * _tangent0;
+        [S::of(1.0), c0, c1]
     }
 }
 

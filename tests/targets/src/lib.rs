@@ -152,6 +152,14 @@ fn case(file: Option<&str>, name: &str, order: &[i64], as_name: &'static str, sh
         Some(file) => source::library(&Disk, file).expect("a file of the library"),
         None => Source::text("curves.basis", OWN),
     };
+    case_of(source, name, order, as_name, shapes)
+}
+
+/// A family of a text, with as many shape values.
+///
+/// # Panics
+/// When it is none, or has no code.
+pub fn case_of(source: Source, name: &str, order: &[i64], as_name: &'static str, shapes: &[f64]) -> Case {
     let library = Library::from_source(&Disk, &Prover, source);
     let errors: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();
     let item = library.item(name, order).unwrap_or_else(|_| panic!("{name}{order:?}: {errors:?}"));

@@ -1,5 +1,7 @@
 //! Families with sines and exponentials: the generated types, and the curves over them, beside values of mpmath.
 
+mod reach;
+
 use basis_runtime::{Array, CurveError, ParametricCurve, RationalBasis, Scalar, basis};
 use basis_tests::exact::epsilon;
 use serde_json::Value;

@@ -12,6 +12,7 @@ use crate::algebra::rational::Rational;
 use crate::generate::rust::{self, Body, Surroundings};
 use crate::model::chart::Constraint;
 use crate::model::{Family, Parameter};
+use crate::plan::reach::{self, FLOATS, Reach};
 use crate::plan::{Input, Plan};
 use basis_prover::collections::list::Mapped;
 
@@ -22,6 +23,8 @@ pub(in crate::generate) struct Shell<'a> {
     /// The Rust names of the shape parameters.
     pub(in crate::generate) fields: Vec<Ident>,
     pub(in crate::generate) runtime: &'a TokenStream,
+    /// How far floats reach in the shape parameters.
+    pub(in crate::generate) reaches: Vec<Option<Reach>>,
     /// When the claims were decided.
     pub(in crate::generate) decided: &'static str,
 }
@@ -134,11 +137,22 @@ impl Shell<'_> {
             };
         }
         let ranges: Vec<String> = family.shapes.mapped(|p| family.declared(p));
-        let checks = family.shapes.iter().zip(fields).zip(&ranges).map(|((p, field), range)| {
+        let checks = family.shapes.iter().zip(fields).zip(&ranges).zip(&self.reaches);
+        let checks = checks.map(|(((p, field), range), reach)| {
             let [low, high] = shape_ends(family, p).map(|end| bound(&end, core));
             let parameter = family.name_of(p);
+            let value = quote_spanned! {site()=>
+                #runtime::__private::check_shape(#title, #parameter, #field, #low, #high, #range)?
+            };
+            let Some(reach) = reach else { return quote_spanned!(site()=> #field: #value) };
+            let reaches = FLOATS.iter().zip(reach).map(|((floats, _), reach)| {
+                let text =
+                    format!("{range}, of which {floats} reaches {parameter} <= {}", reach::decimal(reach));
+                let reach = float(reach);
+                quote_spanned!(site()=> (#reach, #text))
+            });
             quote_spanned! {site()=>
-                #field: #runtime::__private::check_shape(#title, #parameter, #field, #low, #high, #range)?
+                #field: #runtime::__private::check_reach(#title, #parameter, #value, [#(#reaches),*])?
             }
         });
         let all = arguments(family, fields);
@@ -197,11 +211,10 @@ impl Shell<'_> {
                 }
             }
         });
-        let errors = doc(if assumptions.is_empty() {
-            "When a value is outside of its declared range, infinite, or NaN."
-        } else {
-            "When a value is outside of its declared range, infinite, or NaN, or the values do not satisfy that."
-        });
+        let errors = String::from("When a value is outside of its declared range, infinite, or NaN")
+            + if self.reaches.iter().any(Option::is_some) { ", or beyond what floats reach" } else { "" }
+            + if assumptions.is_empty() { "" } else { ", or the values do not satisfy that" };
+        let errors = doc(&(errors + "."));
         quote_spanned! {site()=>
             #new
             #assumed

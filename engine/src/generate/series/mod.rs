@@ -14,6 +14,14 @@ pub(super) fn is_mixed(family: &Family) -> bool {
     family.functions.iter().any(of) || family.pieces.iter().any(|piece| is_mixed(piece))
 }
 
+/// The shape parameter whose range is too long for [`in_polynomials`] on some span, or has no end, and a range that is not.
+pub(super) fn longest(family: &Family) -> Option<(String, String)> {
+    if family.pieces.is_empty() {
+        return parameter::longest(family);
+    }
+    family.pieces.iter().find_map(|piece| longest(piece))
+}
+
 /// A family whose functions are polynomials on each of its spans, as near as floats can tell to those of a family in which
 /// the variable stands beside its sine or exponential; `None` where no way to these is known.
 pub(super) fn in_polynomials(family: &Family) -> Option<Family> {

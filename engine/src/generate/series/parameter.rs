@@ -44,6 +44,24 @@ pub(super) fn in_polynomials(family: &Family) -> Option<Family> {
     LAST.into_iter().find_map(|last| source.of_degree(&quotients, last))
 }
 
+/// The ends of a range that [`longest`] tries.
+const ENDS: [i64; 7] = [16, 12, 8, 6, 4, 2, 1];
+
+/// The name of the shape parameter whose range is too long for such polynomials, or has no end, and the range with the largest of
+/// some numbers as its end that is not; `None` where the range is not what they fail for.
+pub(super) fn longest(family: &Family) -> Option<(String, String)> {
+    ENDS.into_iter().find_map(|last| {
+        let last = Rational::from(last);
+        let source = Source::within(family, Some(&last))?;
+        let quotients =
+            family.functions.iter().map(|f| source.quotient(&f.value)).collect::<Option<Vec<_>>>()?;
+        LAST.into_iter().find_map(|terms| source.of_degree(&quotients, terms))?;
+        let (name, parameter) = (&source.end.name, family.shapes.iter().find(|p| p.var == source.end.var)?);
+        let sign = if parameter.range.low.is_included() { "<=" } else { "<" };
+        Some((name.clone(), format!("{} {sign} {name} <= {last}", source.end.ends[0])))
+    })
+}
+
 struct Source<'f> {
     family: &'f Family,
     /// t
@@ -77,6 +95,11 @@ const BITS: u32 = 58;
 
 impl<'f> Source<'f> {
     fn new(family: &'f Family) -> Option<Self> {
+        Self::within(family, None)
+    }
+
+    /// The same with another end of the range of α, which is above its lower end and below its own.
+    fn within(family: &'f Family, last: Option<&Rational>) -> Option<Self> {
         let (var, ..) = family.interval()?;
         let analytic = &family.analytic;
         let plain = |a: &Angle| a.kind != Kind::Linear && !a.turns && a.shift.is_zero();
@@ -89,7 +112,12 @@ impl<'f> Source<'f> {
         };
         let slopes = [slope(&angle.limits[0])?, slope(&angle.limits[1])?];
         let limit = |side: usize| analytic.number(&end.limits[side]).filter(|_| !end.ends[side].is_empty());
-        let (low, high) = (limit(0)?, limit(1)?);
+        let low = limit(0)?;
+        let high = match (last, limit(1)) {
+            (None, high) => high?,
+            (Some(last), high) if low < *last && high.as_ref().is_none_or(|high| last < high) => last.clone(),
+            _ => return None,
+        };
         // A number with few digits.
         let unit = Rational::from(64);
         let largest = &(&(&low.abs().max(high.abs()) * &unit).floor() + &Rational::ONE) * &unit.recip()?;

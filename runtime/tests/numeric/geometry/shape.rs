@@ -2,8 +2,8 @@
 
 use core::ops::Bound;
 
-use basis_runtime::__private::check_shape;
-use basis_runtime::ShapeError;
+use basis_runtime::__private::{check_reach, check_shape};
+use basis_runtime::{Scalar, ShapeError};
 
 use crate::families::QuarticBernstein;
 
@@ -45,6 +45,20 @@ fn open_and_missing_bounds() {
     let upto = |value| check_shape("F", "a", value, Bound::Unbounded, Bound::Included(2.0 / 3.0), "a <= 2/3");
     assert_eq!(upto(2.0_f32 / 3.0), Ok(2.0 / 3.0));
     assert!(upto((2.0_f32 / 3.0).next_up()).is_err());
+}
+
+/// Each kind of floats has an end of its own, and a text that says it.
+#[test]
+fn floats_reach_to_their_own_ends() {
+    fn check<S: Scalar>(value: S) -> Result<S, ShapeError> {
+        check_reach("F", "a", value, [(300.0, "a <= 300"), (30.0, "a <= 30")])
+    }
+    assert_eq!((check(300.0_f64), check(30.0_f32)), (Ok(300.0), Ok(30.0)));
+    let error = check(300.5_f64).unwrap_err();
+    assert_eq!(error.to_string(), "F: a = 300.5 is outside the declared range a <= 300");
+    let error = check(30.5_f32).unwrap_err();
+    assert_eq!(error.to_string(), "F: a = 30.5 is outside the declared range a <= 30");
+    assert!(check(f64::NAN).is_err());
 }
 
 #[test]

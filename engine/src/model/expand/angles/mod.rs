@@ -30,7 +30,7 @@ use crate::syntax::{self, Expr, ExprKind, RangeDecl, StatementKind};
 use basis_kernel::Relation;
 use basis_prover::collections::list::{Listed, Mapped};
 use limits::{Bound, Limits, Place, limits, sum_of};
-use numbers::{exponential, ranges, tangent};
+use numbers::{exponential, exponential_bounds, ranges, tangent};
 use roots::roots;
 use survey::{Use, survey};
 use tangent::{angle, linear};
@@ -143,6 +143,17 @@ pub(super) fn declare<'a>(
         return None;
     }
     exponential(scope, &uses, &all, &limits);
+    if let Some((_, number)) =
+        scope.analytic.exponential.clone().filter(|(_, r)| exponential_bounds(r).is_none())
+    {
+        let of = all.iter().flatten().find(|of| of.kind == Kind::Hyperbolic);
+        let span = of.map_or_else(|| written.name.span, |of| of.span);
+        let error = scope.error(span, format!("exp({number}), which this contains, is too large a number"));
+        scope.report(error.help(
+            "end ranges, and exponents that are numbers, at 512 at most; or leave the end of the range out",
+        ));
+        return None;
+    }
     tangent(scope, &all[..shape_count], &limits);
     roots(scope, &uses, &all, &limits, shape_count);
     let mut parameters = Vec::new();

@@ -72,6 +72,9 @@ pub(super) fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
     all
 }
 
+/// How often the series of exp is squared: r is at most 2⁹ = 512, and exp(r) has 739 binary digits before the point.
+const SQUARINGS: u32 = 10;
+
 /// Numbers below and above exp(r), r > 0, from the series of exp(r/2^k), r/2^k ≤ 1/2; `None` for large r.
 pub(super) fn exponential_bounds(r: &Rational) -> Option<(Rational, Rational)> {
     const TERMS: u32 = 16;
@@ -80,7 +83,7 @@ pub(super) fn exponential_bounds(r: &Rational) -> Option<(Rational, Rational)> {
     while x > half {
         x = &x * &half;
         squarings += 1;
-        if squarings > 6 {
+        if squarings > SQUARINGS {
             return None;
         }
     }
@@ -132,7 +135,9 @@ mod tests {
 
     #[test]
     fn numbers_lie_between_their_bounds() {
-        for r in [Rational::new(1, 7), Rational::ONE, Rational::from(3), Rational::from(20)] {
+        for r in
+            [Rational::new(1, 7), Rational::ONE, Rational::from(3), Rational::from(20), Rational::from(500)]
+        {
             let (low, high) = exponential_bounds(&r).expect("not too large");
             let x = r.to_f64().exp();
             assert!(low.to_f64() <= x * (1.0 + 1e-14) && x * (1.0 - 1e-14) <= high.to_f64(), "{r}");
