@@ -265,3 +265,60 @@ fn parameters_with_an_index() {
     );
     assert_eq!(refuted.len(), 7, "{refuted:?}");
 }
+
+/// Where the value is attained at an irrational point, alone and with a shape parameter as a factor; the same bounds made
+/// less are false.
+#[test]
+fn bounds_that_are_attained_at_parts_of_a_turn() {
+    let found = counterexamples(
+        "family Greatest {
+            domain 0 <= t <= pi/2;
+            b[0] = 1 - sin(t);
+            b[1] = sin(t) + cos(t) - 1;
+            b[2] = 1 - cos(t);
+            prove b[1] <= 2*sin(pi/4) - 1;
+            prove (sin(t) + cos(t))^3 <= 8*sin(pi/4)^3;
+            refute b[1] <= 2*sin(pi/4) - 1 - 1/1000000;
+            refute b[1] >= 2*sin(pi/4) - 1;
+        }
+        family OnTheUnitInterval {
+            domain 0 <= t <= 1;
+            b[0] = sin(pi*t/2) + cos(pi*t/2);
+            prove b[0] <= 2*sin(pi/4);
+            prove b[0]^2 - 4*b[0]*sin(pi/4) + 2 >= 0;
+            refute b[0]^2 - 4*b[0]*sin(pi/4) + 2 >= 1/100000;
+        }
+        family WithAFactor {
+            domain 0 <= t <= pi;
+            shape 0 <= λ <= 1;
+            b[0] = λ*(1 - sin(t));
+            b[1] = t - sin(t);
+            prove sin(t)*sin(pi/3) + cos(t)*cos(pi/3) <= 1;
+            prove sin(t)*cos(pi/5) - cos(t)*sin(pi/5) <= 1;
+            prove λ*(sin(t)*sin(pi/3) + cos(t)*cos(pi/3)) <= λ;
+            refute λ*(sin(t)*sin(pi/3) + cos(t)*cos(pi/3)) <= 9*λ/10;
+        }
+        family UpToAParameter {
+            domain 0 <= t <= α;
+            shape 0 < α <= pi/2;
+            b[0] = sin(t);
+            prove sin(α) + cos(α) <= 2*sin(pi/4);
+        }",
+    );
+    assert_eq!(found.len(), 4, "{found:?}");
+}
+
+/// It is a bound that is attained, so the strict one is false, and is not proved.
+#[test]
+fn strict_bounds_that_are_attained_are_not_proved() {
+    let spec = "family Greatest {
+        domain 0 <= t <= pi/2;
+        b[0] = sin(t) + cos(t);
+        conjecture b[0] < 2*sin(pi/4);
+        conjecture b[0] <= 2*sin(pi/4) - 1/1000000000000;
+    }";
+    let report = basis_engine::check(basis_engine::Source::text("claims.basis", spec));
+    for verdict in crate::rechecked::rechecked(&report) {
+        assert!(!matches!(verdict, basis_engine::Verdict::Proved(_)), "{verdict:?}");
+    }
+}

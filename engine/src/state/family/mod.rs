@@ -13,6 +13,7 @@ mod premises;
 mod rounding;
 mod spans;
 mod total;
+mod touching;
 mod witness;
 
 use std::rc::Rc;
@@ -185,14 +186,15 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
                 Enough::Unknown if matches!(saying, Saying::By(..)) => return None,
                 Enough::Unknown | Enough::Itself => {}
             }
-            let (of, value) = if comparison == Comparison::Equal {
+            let plainly = matches!(saying, Saying::Plainly);
+            let (of, value) = if matches!(comparison, Comparison::Equal | Comparison::NotEqual) {
                 (of.clone(), value.clone())
             } else {
-                without_numbers(family, of.clone(), value.clone())
+                let powers = if plainly { None } else { touching::with_powers(family, value) };
+                without_numbers(family, of.clone(), powers.unwrap_or_else(|| value.clone()))
             };
             let stated =
                 Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
-            let plainly = matches!(saying, Saying::Plainly);
             let Some(enough) = premises::without(&stated.statement).filter(|_| !plainly) else {
                 all.push(Said { stated, of, piece: part.0.clone() });
                 continue;

@@ -194,7 +194,7 @@ impl Field {
     }
 
     /// The greatest common divisor of two polynomials with coefficients in the field, constant first.
-    fn common_divisor(
+    pub fn common_divisor(
         &mut self,
         mut a: Vec<Element>,
         mut b: Vec<Element>,
