@@ -72,7 +72,7 @@ impl Run {
             Verdict::Refuted(_) => Some(verdict),
             _ if !is_last => None,
             Verdict::Proved(_) => Some(Verdict::Undecided(String::from(IN_PARTS))),
-            _ => Some(verdict),
+            Verdict::Undecided(_) => Some(verdict),
         }
     }
 
