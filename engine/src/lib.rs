@@ -94,9 +94,10 @@ pub struct Report {
 pub fn check(source: Source) -> Report {
     let library = Library::from_source(&Disk, &Prover, source);
     let run = &mut state::Run::default();
-    let families = library.items(Selected::EveryOrder);
+    let families = run.expanding(&mut || library.items(Selected::EveryOrder));
     let warnings = generate::no_floats(&families);
-    let items = families.into_iter().chain(theorem::theorems(&library)).listed();
+    let theorems = run.expanding(&mut || theorem::theorems(&library));
+    let items = families.into_iter().chain(theorems).listed();
     let items = decide_all(items, run);
     let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
     diagnostics.extend(warnings);

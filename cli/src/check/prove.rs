@@ -133,9 +133,10 @@ pub(crate) fn watched(entry: Entry, formal: Formal, decided: &dyn Fn()) -> Outco
     };
     let library = Library::from_source(&Disk, &Prover, source);
     let run = &mut state::Run::default();
-    let families = library.items(Selected::EveryOrder);
+    let families = run.expanding(&mut || library.items(Selected::EveryOrder));
     let warnings = generate::no_floats(&families);
-    let items = families.into_iter().chain(theorems(&library));
+    let theorems = run.expanding(&mut || theorems(&library));
+    let items = families.into_iter().chain(theorems);
     let mut items = decide(items.collect(), run, decided);
     if formal == Formal::Kept {
         for item in &mut items {

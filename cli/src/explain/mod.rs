@@ -98,7 +98,7 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
             if family.pieces.is_empty() { core::slice::from_ref(&family) } else { &family.pieces[..] };
         for (k, span) in spans.iter().enumerate() {
             let checked = checked.as_ref().filter(|_| k == 0);
-            let facts = run.counted_work(family.budget, &mut || {
+            let facts = run.counted_work(&mut || {
                 FamilyFacts::new(&library, &family, span, checked, next.as_deref(), &conversions)
             });
             all.push(Facts::Family(Box::new(facts)));

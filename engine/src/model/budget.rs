@@ -100,6 +100,11 @@ impl Run {
         self.take(&self.decisions, 1 + units, RUN_DECISIONS, what)
     }
 
+    /// What is left of that work.
+    pub(crate) const fn decisions_left(&self) -> u64 {
+        self.decisions.get()
+    }
+
     /// Counts a claim, whose text takes a number of bytes.
     pub(crate) fn claim(&self, text: usize) -> Result<(), TooLarge> {
         self.take(

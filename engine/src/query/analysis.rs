@@ -51,15 +51,17 @@ impl Analysis {
     /// Reads and expands a text.
     pub fn new(files: &dyn Files, source: Source) -> Self {
         let library = Library::from_source(files, &Prover, source);
-        let families = library.items(Selected::EveryOrder);
+        let mut run = Run::default();
+        let families = run.expanding(&mut || library.items(Selected::EveryOrder));
         let warnings = generate::no_floats(&families);
-        let items = families.into_iter().chain(theorems(&library)).map(|item| Analysed {
+        let theorems = run.expanding(&mut || theorems(&library));
+        let items = families.into_iter().chain(theorems).map(|item| Analysed {
             subject: item.subject,
             claims: item.claims.into_iter().map(|claim| (claim, None)).collect(),
         });
         let items = items.collect();
         let diagnostics = library.diagnostics().into_iter().chain(warnings).collect();
-        Self { items, diagnostics, sources: library.sources().clone(), next: (0, 0, 0), run: Run::default() }
+        Self { items, diagnostics, sources: library.sources().clone(), next: (0, 0, 0), run }
     }
 
     /// Whether every claim is decided.

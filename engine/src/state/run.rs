@@ -1,7 +1,7 @@
 //! The claims of a run together: each has a budget of its own, but a spec may have any number of claims.
 
 use basis_prover::collections::list::Listed;
-use basis_prover::{cut_short_within, measured};
+use basis_prover::{cut_short_within, measured, within};
 
 use super::{Evidence, Verdict};
 use crate::claim::Claim;
@@ -9,6 +9,9 @@ use crate::subject::Subject;
 
 /// Units of work for all decisions of a run.
 const UNITS: u64 = 100_000_000;
+
+/// What is left for claims however much it took to expand them.
+const LEAST: u64 = UNITS / 10;
 
 /// What a claim takes before there is anything to decide.
 const CLAIM: u64 = 500;
@@ -59,10 +62,14 @@ impl Run {
         self.left = self.left.saturating_sub(CLAIM);
         // A quarter of what is left, so that the claims after it have the rest.
         let quarter = core::cmp::max(self.left / 4, ROUNDS[0]);
-        let budget = subject.budget();
-        let units = core::cmp::min(*ROUNDS.get(round)?, quarter).saturating_mul(u64::from(budget));
+        let budget = u64::from(subject.budget());
+        let is_last = round + 1 == Self::ROUNDS;
+        // A raised budget counts in full, or the whole run had no bound: in the end the claim may take half of what is left.
+        let half = core::cmp::max(self.left / 2, ROUNDS[0]);
+        let share = if is_last { quarter.saturating_mul(budget).min(half) } else { quarter };
+        let units = ROUNDS.get(round)?.saturating_mul(budget).min(share);
         let mut decide = || cut_short_within(units, &mut || super::decide(subject, claim));
-        let (verdict, is_cut) = self.counted_work(budget, &mut decide);
+        let (verdict, is_cut) = self.counted(&mut decide);
         if !is_cut {
             return Some(verdict);
         }
@@ -71,7 +78,7 @@ impl Run {
         match &verdict {
             Verdict::Refuted(_) => Some(verdict),
             Verdict::Proved(evidence) if is_of_its_statements(subject, claim, evidence) => Some(verdict),
-            _ if round + 1 < Self::ROUNDS => None,
+            _ if !is_last => None,
             Verdict::Proved(_) => Some(Verdict::Undecided(String::from(IN_PARTS))),
             Verdict::Undecided(_) => Some(verdict),
         }
@@ -100,11 +107,23 @@ impl Run {
         }
     }
 
-    /// Counts other work of the provers, with `budget` times the usual work.
-    pub fn counted_work<T>(&mut self, budget: u32, work: &mut dyn FnMut() -> T) -> T {
+    /// Expands formulas, which has limits of its own. Half of the work counts for the claims, so that a file that comes near to both
+    /// limits does not take the sum of the two.
+    pub fn expanding<T>(&mut self, work: &mut dyn FnMut() -> T) -> T {
         let (result, units) = measured(work);
-        // A family with a raised budget may do more in the whole run, too.
-        self.left = self.left.saturating_sub(units / u64::from(budget.max(1)));
+        self.left = core::cmp::max(self.left.saturating_sub(units / 2), self.left.min(LEAST));
+        result
+    }
+
+    /// Does other work of the provers, which takes no more than what is left.
+    pub fn counted_work<T>(&mut self, work: &mut dyn FnMut() -> T) -> T {
+        let left = self.left;
+        self.counted(&mut || within(left, work))
+    }
+
+    fn counted<T>(&mut self, work: &mut dyn FnMut() -> T) -> T {
+        let (result, units) = measured(work);
+        self.left = self.left.saturating_sub(units);
         result
     }
 }
@@ -157,6 +176,69 @@ mod tests {
         let verdicts: Vec<_> = item.claims.iter().map(|c| run.decide(&item.subject, c)).collect();
         assert!(run.left > UNITS / 2, "{}", run.left);
         assert!(matches!(verdicts[1], Verdict::Proved(_)), "{verdicts:?}");
+    }
+
+    /// What expanding took is not there for claims, of which some can always be decided.
+    #[test]
+    fn expanding_counts_for_the_claims() {
+        let taken = |left: u64, units: u64| {
+            let mut run = Run { left };
+            run.expanding(&mut || basis_prover::charge(units));
+            left - run.left
+        };
+        assert_eq!(taken(UNITS, 1_000_000), 500_000);
+        assert_eq!(taken(UNITS, 3 * UNITS), UNITS - LEAST);
+        assert_eq!(taken(LEAST / 2, UNITS), 0);
+    }
+
+    /// Families of many functions of high degree count for what it takes to expand them and to decide about them.
+    #[test]
+    fn families_count_for_what_they_take() {
+        for (last, power, claim, expanding, deciding) in [
+            (30, 100, "prove independent;", 200_000, 250_000),
+            (30, 30, "prove independent;", 10_000, 50_000),
+            (100, 30, "refute independent;", 50_000, 1_000_000),
+            (40, 30, "refute independent;", 20_000, 700_000),
+        ] {
+            let functions = format!("b[i] = (t + i/7)^{power} for i in 0..={last};");
+            let spec = format!("family F {{ domain 0 <= t <= 1; {functions} {claim} }}");
+            let library =
+                Library::from_source(&crate::Disk, &crate::Prover, Source::text("family.basis", &spec));
+            let mut run = Run::default();
+            let item = run.expanding(&mut || library.items(Selected::EveryOrder)).remove(0);
+            let (expanded, before) = (UNITS - run.left, run.left);
+            decided(&item, &mut run);
+            let decided = before - run.left;
+            assert!(
+                expanded >= expanding && decided >= deciding,
+                "{functions} {expanded} and {decided} units"
+            );
+        }
+    }
+
+    /// A file cannot give itself more work than a run has by `budget`: until that was so, one claim could run for hours.
+    #[test]
+    fn raised_budgets_share_the_work_of_a_run() {
+        let family = |budget: u32| {
+            format!(
+                "family F {{ domain 0 <= t <= 1; shape 0 < x <= 1; budget {budget};
+                b[i] = (t + x*i/7)^9 for i in 0..=9; {} }}",
+                "prove independent;".repeat(60)
+            )
+        };
+        let taken = |budget: u32| {
+            let spec = family(budget);
+            let library =
+                Library::from_source(&crate::Disk, &crate::Prover, Source::text("budget.basis", &spec));
+            let item = library.items(Selected::EveryOrder).remove(0);
+            let mut run = Run { left: 1_000_000 };
+            let before = basis_prover::spent();
+            decided(&item, &mut run);
+            assert!(run.left < 1_000_000);
+            basis_prover::spent() - before
+        };
+        let [usual, raised] = [1, 10_000].map(taken);
+        assert!(raised > 500_000 && raised < 2_000_000, "{usual} and {raised} units");
     }
 
     #[test]

@@ -75,15 +75,20 @@ impl Scope<'_> {
                 Duty::Holds(condition) => self.is_over_domain(&condition.value),
             };
             let parts = if whole_domain { &whole } else { &shapes };
+            // A raised budget does not raise what the whole run may take.
+            let left = self.budget.run().decisions_left();
             let (error, units) = basis_prover::measured(&mut || {
-                parts.iter().find_map(|part| match &duty {
-                    Duty::Nonzero(divisor) => self.decide_divisor(divisor, &place, part, budget),
-                    Duty::Inside(inside) => self.check_inside(inside, place.clone(), part, budget),
-                    Duty::Holds(condition) => self.check_condition(condition, place.clone(), part, budget),
+                basis_prover::within(left, &mut || {
+                    parts.iter().find_map(|part| match &duty {
+                        Duty::Nonzero(divisor) => self.decide_divisor(divisor, &place, part, budget),
+                        Duty::Inside(inside) => self.check_inside(inside, place.clone(), part, budget),
+                        Duty::Holds(condition) => {
+                            self.check_condition(condition, place.clone(), part, budget)
+                        }
+                    })
                 })
             });
-            let units = known + units / u64::from(budget.max(1));
-            if let Err(TooLarge::Run(message)) = self.budget.run().decision(units) {
+            if let Err(TooLarge::Run(message)) = self.budget.run().decision(known + units) {
                 self.report(Diagnostic::error(at, message).help(SPLIT));
                 return false;
             }
