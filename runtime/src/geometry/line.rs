@@ -1,10 +1,11 @@
-//! Where a polynomial piece in the plane crosses a straight one: the zeros of one polynomial, its height above the line.
+//! Where a polynomial piece in the plane crosses a straight one: the zeros of one polynomial, its height above the
+//! line.
 //!
-//! The heights of the control points are the Bernstein coefficients of that polynomial `h`. Parts whose heights are all on
-//! one side, or that lie before or behind the straight piece, are put aside. Where all differences of the heights have one
-//! sign `h` is monotone, so a part whose ends are on both sides meets the line at one place. Other parts are divided.
-//! Nothing is allocated. Whatever is not clear by more than the accuracy, contacts, overlaps and ends on the line, is left
-//! to the search for curves of any form.
+//! The heights of the control points are the Bernstein coefficients of that polynomial `h`. Parts whose heights are
+//! all on one side, or that lie before or behind the straight piece, are put aside. Where all differences of the
+//! heights have one sign `h` is monotone, so a part whose ends are on both sides meets the line at one place. Other
+//! parts are divided. Nothing is allocated. Whatever is not clear by more than the accuracy, contacts, overlaps and
+//! ends on the line, is left to the search for curves of any form.
 
 use super::CurvePiece;
 use super::clipping::{Net, View, net, range, value_and_slope};
@@ -37,8 +38,8 @@ impl Crossings {
     }
 }
 
-/// All places, between 0 and 1, at which a piece and a straight one come nearer to each other than the accuracy, if all of
-/// them are crossings; `None` if that is not certain. Both pieces are ones that clipping suits.
+/// All places, between 0 and 1, at which a piece and a straight one come nearer to each other than the accuracy, if
+/// all of them are crossings; `None` if that is not certain. Both pieces are ones that clipping suits.
 #[inline]
 pub(super) fn crossings(
     curve: &CurvePiece,
@@ -115,8 +116,8 @@ fn is_aside<const N: usize>(part: &Part<N>, length: f64, apart: f64) -> bool {
     low > apart || high < -apart || from > length + apart || to < -apart
 }
 
-/// Adds the only place at which a part meets the line, unless that is not on the straight piece; `false` if there may be
-/// more than one, or it is not clear.
+/// Adds the only place at which a part meets the line, unless that is not on the straight piece; `false` if there may
+/// be more than one, or it is not clear.
 #[inline]
 fn take<const N: usize>(
     part: &Part<N>,
@@ -156,8 +157,8 @@ fn take<const N: usize>(
     true
 }
 
-/// The zero of a function that is monotone in an interval and has different signs at its ends, from a place between them:
-/// Newton's method, and a bisection wherever that leaves what is known.
+/// The zero of a function that is monotone in an interval and has different signs at its ends, from a place between
+/// them: Newton's method, and a bisection wherever that leaves what is known.
 #[inline]
 fn zero<const N: usize>(heights: &[f64; N], [mut lo, mut hi]: [f64; 2], share: f64, sign: f64) -> f64 {
     let mut x = lo + share * (hi - lo);

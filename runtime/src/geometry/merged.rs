@@ -1,4 +1,5 @@
-//! Answers that are one: places of two parameters that are beside each other, and boxes that touch, found in sorted order.
+//! Answers that are one: places of two parameters that are beside each other, and boxes that touch, found in sorted
+//! order.
 
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
@@ -6,7 +7,8 @@ use alloc::vec::Vec;
 /// Intervals of two parameters.
 type Box2 = [[f64; 2]; 2];
 
-/// Places in the order of the first parameter, of those that are no farther from each other than the gaps the first one.
+/// Places in the order of the first parameter, of those that are no farther from each other than the gaps the first
+/// one.
 #[inline]
 pub(super) fn places(mut places: Vec<[f64; 2]>, gaps: [f64; 2]) -> Vec<[f64; 2]> {
     let order = |a: &[f64; 2], b: &[f64; 2]| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));
@@ -42,8 +44,8 @@ pub(super) fn boxes(mut boxes: Vec<Box2>, gaps: [f64; 2]) -> Vec<Box2> {
     boxes
 }
 
-/// From the lowest first parameter up. The boxes at one first parameter do not touch each other, so they are apart in the
-/// second one, and sorted by it.
+/// From the lowest first parameter up. The boxes at one first parameter do not touch each other, so they are apart in
+/// the second one, and sorted by it.
 #[inline]
 fn round(mut boxes: Vec<Box2>, gaps: [f64; 2]) -> Vec<Box2> {
     boxes.sort_unstable_by(|a, b| a[0][0].total_cmp(&b[0][0]).then(a[1][0].total_cmp(&b[1][0])));
