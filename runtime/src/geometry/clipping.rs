@@ -30,7 +30,7 @@ const MIDDLE: [f64; 8] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015_625, 0.0
 const INVERSE: [f64; 8] = [1.0, 1.0, 1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 1.0 / 6.0, 1.0 / 7.0];
 
 /// The components of the control points of a piece.
-type Net<const N: usize, const D: usize> = [[f64; N]; D];
+pub(super) type Net<const N: usize, const D: usize> = [[f64; N]; D];
 
 /// What is known of two pieces, in places between 0 and 1 of both.
 #[derive(Default)]
@@ -101,7 +101,7 @@ fn run<const N: usize, const D: usize>(
 
 /// The control points of a piece as it is seen, of degree `N - 1`.
 #[inline]
-fn net<const N: usize, const D: usize>(piece: &CurvePiece, view: View<'_>) -> Net<N, D> {
+pub(super) fn net<const N: usize, const D: usize>(piece: &CurvePiece, view: View<'_>) -> Net<N, D> {
     let mut net = [[0.0; N]; D];
     for (d, row) in net.iter_mut().enumerate() {
         let (component, origin) = (piece.component(d), view.origin(d));
@@ -482,7 +482,7 @@ fn keep_right<const N: usize, const D: usize>(net: &mut Net<N, D>, x: f64) {
 
 /// A polynomial and its derivative.
 #[inline(always)]
-fn value_and_slope<const N: usize>(row: &[f64; N], x: f64) -> [f64; 2] {
+pub(super) fn value_and_slope<const N: usize>(row: &[f64; N], x: f64) -> [f64; 2] {
     let mut row = *row;
     for last in (2..N).rev() {
         for i in 0..last {
@@ -493,7 +493,7 @@ fn value_and_slope<const N: usize>(row: &[f64; N], x: f64) -> [f64; 2] {
 }
 
 #[inline(always)]
-fn range<const N: usize>(row: &[f64; N]) -> [f64; 2] {
+pub(super) fn range<const N: usize>(row: &[f64; N]) -> [f64; 2] {
     let (mut lo, mut hi) = (row[0], row[0]);
     for &c in &row[1..] {
         lo = if c < lo { c } else { lo };

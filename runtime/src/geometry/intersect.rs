@@ -15,6 +15,7 @@ use super::CurvePiece;
 use super::beside::{approach, beside, dot, is_beside, point, pseudo_inverse, state};
 use super::clipping::{self, View};
 use super::piece::{derivative, product};
+use super::{line, merged};
 use crate::Scalar;
 
 /// The most pairs of parts that are looked at; those that are left then are answers as they are.
@@ -172,9 +173,17 @@ impl Search {
             open([[0.0, 1.0]; 2]);
             return;
         }
+        let parameters = |[x, y]: [f64; 2]| [first.parameter(x), second.parameter(y)];
+        if let Some(places) = line::crossings(first, second, view, self.accuracy) {
+            self.crossings.extend(places.as_slice().iter().copied().map(parameters));
+            return;
+        }
+        if let Some(places) = line::crossings(second, first, view, self.accuracy) {
+            self.crossings.extend(places.as_slice().iter().map(|&[y, x]| parameters([x, y])));
+            return;
+        }
         let outcome = clipping::search(first, second, view, self.accuracy);
         outcome.left.into_iter().for_each(open);
-        let parameters = |[x, y]: [f64; 2]| [first.parameter(x), second.parameter(y)];
         self.crossings.extend(outcome.crossings.into_iter().map(parameters));
         self.near.extend(
             outcome
@@ -344,49 +353,23 @@ impl Search {
             [] => 0.0,
         };
         let gaps = [1e-9 * width(a), 1e-9 * width(b)];
+        let groups = merged::boxes(core::mem::take(&mut self.near), gaps);
         let mut found: Vec<Found> = Vec::new();
-        self.near.sort_by(|a, b| a[0][0].total_cmp(&b[0][0]).then(a[1][0].total_cmp(&b[1][0])));
-        let mut groups: Vec<[[f64; 2]; 2]> = Vec::new();
-        for next in core::mem::take(&mut self.near) {
-            let mut merged = next;
-            // Those that end before this one begins stay as they are.
-            let mut k = 0;
-            while k < groups.len() {
-                let touches = (0..2).all(|c| {
-                    groups[k][c][0] <= merged[c][1] + gaps[c] && merged[c][0] <= groups[k][c][1] + gaps[c]
-                });
-                if touches {
-                    let other = groups.swap_remove(k);
-                    for c in 0..2 {
-                        merged[c] = [merged[c][0].min(other[c][0]), merged[c][1].max(other[c][1])];
-                    }
-                    k = 0;
-                } else {
-                    k += 1;
-                }
-            }
-            groups.push(merged);
+        for at in merged::places(self.crossings, gaps) {
+            let [first, second] = at.map(|t| [t, t]);
+            found.push(Found { kind: MeetingKind::Crossing, first, second, at });
         }
-        for at in self.crossings {
-            let same = |f: &Found| (0..2).all(|c| (f.at[c] - at[c]).abs() <= gaps[c]);
-            if !found.iter().any(same) {
-                let [first, second] = at.map(|t| [t, t]);
-                found.push(Found { kind: MeetingKind::Crossing, first, second, at });
-            }
-        }
+        let count = found.len();
         let seen = |pieces: &[CurvePiece]| pieces.iter().map(|piece| view.of(piece)).collect::<Vec<_>>();
         let (a, b) = if groups.is_empty() { (Vec::new(), Vec::new()) } else { (seen(a), seen(b)) };
         for [first, second] in groups {
             // The rest of the neighbourhood of a crossing belongs to it.
-            let next_to = |f: &&mut Found| {
-                let within = |[lo, hi]: [f64; 2], t: f64, gap: f64| {
-                    t >= lo - (hi - lo) - gap && t <= hi + (hi - lo) + gap
-                };
-                f.kind == MeetingKind::Crossing
-                    && within(first, f.at[0], gaps[0])
-                    && within(second, f.at[1], gaps[1])
-            };
-            if let Some(crossing) = found.iter_mut().find(next_to) {
+            let reach = |[lo, hi]: [f64; 2], gap: f64| [lo - (hi - lo) - gap, hi + (hi - lo) + gap];
+            let ([from, to], [low, high]) = (reach(first, gaps[0]), reach(second, gaps[1]));
+            let crossings = &mut found[..count];
+            let start = crossings.partition_point(|f| f.at[0] < from);
+            let mut near = crossings[start..].iter_mut().take_while(|f| f.at[0] <= to);
+            if let Some(crossing) = near.find(|f| (low..=high).contains(&f.at[1])) {
                 for (interval, [lo, hi]) in [(&mut crossing.first, first), (&mut crossing.second, second)] {
                     *interval = [interval[0].min(lo), interval[1].max(hi)];
                 }

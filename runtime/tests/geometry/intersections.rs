@@ -83,6 +83,50 @@ fn of_random_curves() {
     assert!(total > 60, "{total}");
 }
 
+/// Beside the changes of side of a point that runs along the curve, and beside the answers for the line as a cubic.
+#[test]
+fn of_lines() {
+    let random = &mut Random::new(1902);
+    let mut total = 0;
+    for round in 0..3000 {
+        // Every other pair on a coarse grid: lines through ends, tangents, symmetric curves.
+        let mut point = || {
+            let [x, y] = [(); 2].map(|()| random.between(-1.0, 1.0));
+            if round % 2 == 0 { [x, y] } else { [x, y].map(|c: f64| (3.0 * c).round()) }
+        };
+        let curve = Bezier::from_points([(); 4].map(|()| point()));
+        let ends = [point(), point()];
+        let line = Bezier::from_points(ends);
+        let between = |x: f64| [0, 1].map(|d| ends[0][d] + x * (ends[1][d] - ends[0][d]));
+        let cubic = Bezier::from_points([0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].map(between));
+        let found = curve.intersections(&line, 1e-9).unwrap();
+        let side = |t: f64| {
+            let (p, [from, to]) = (curve.eval(t), ends);
+            let (v, w) = ([to[0] - from[0], to[1] - from[1]], [p[0] - from[0], p[1] - from[1]]);
+            let square = v[0] * v[0] + v[1] * v[1];
+            ((v[0] * w[1] - v[1] * w[0]), (v[0] * w[0] + v[1] * w[1]) / square)
+        };
+        for k in 0..1000 {
+            let [t, next] = [0.001 * f64::from(k), 0.001 * f64::from(k + 1)];
+            let ((a, x), (b, y)) = (side(t), side(next));
+            if a * b < 0.0 && x.min(y) > 0.0 && x.max(y) < 1.0 {
+                total += 1;
+                let at = [0.5 * (t + next), 0.5 * (x + y)];
+                let gap = 0.001 + (x - y).abs();
+                assert!(found.iter().any(|m| covers(m, at, gap)), "{at:?} of {curve:?} {line:?}: {found:?}");
+            }
+        }
+        assert!(found.iter().all(|m| m.distance <= 2e-9), "{found:?}");
+        let other = curve.intersections(&cubic, 1e-9).unwrap();
+        for (some, all) in [(&found, &other), (&other, &found)] {
+            for m in some {
+                assert!(all.iter().any(|n| covers(n, m.at, 1e-3)), "{m:?} of {curve:?} {line:?}: {all:?}");
+            }
+        }
+    }
+    assert!(total > 800, "{total}");
+}
+
 /// Nine points of two cubics, and curves of high degree.
 #[test]
 fn as_many_as_there_can_be() {
