@@ -1,4 +1,5 @@
-//! Where cubics meet each other and lines, beside lyon_geom, curvo and kurbo: `cargo bench -p basis-benches --bench intersections`.
+//! Where cubics meet each other and lines, beside lyon_geom, curvo and kurbo: `cargo bench -p basis-benches --bench
+//! intersections`.
 //!
 //! Prints a table in Markdown. All libraries get the same curves. The places that exist are those that any of them finds
 //! and that are places: the points of both curves there are nearer to each other than 1e-8 of the size of the curves. A library

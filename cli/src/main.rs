@@ -1,9 +1,9 @@
 //! The command `basis`: everything that the macro does during a build, and more, at a terminal.
 //!
-//! `basis check` proves the claims of spec files, `basis emit` writes their families as source files, `basis eval` evaluates a family exactly, `basis explain` shows what
-//! follows from its formulas, `basis lsp` serves an editor, `basis table` lists families with their proved properties, `basis verify` checks
-//! certificates of proofs. All are thin: the mathematics is in basis-engine; here are arguments, files, clocks and
-//! tables.
+//! `basis check` proves the claims of spec files, `basis emit` writes their families as source files, `basis eval`
+//! evaluates a family exactly, `basis explain` shows what follows from its formulas, `basis lsp` serves an editor,
+//! `basis table` lists families with their proved properties, `basis verify` checks certificates of proofs. All are
+//! thin: the mathematics is in basis-engine; here are arguments, files, clocks and tables.
 
 mod args;
 mod catalogue;

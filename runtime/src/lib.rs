@@ -58,12 +58,12 @@
 //!
 //! # Curves of all types
 //!
-//! What can be asked of a curve has one name and one signature, that of the trait `ParametricCurve` (feature `geometry`),
-//! whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
+//! What can be asked of a curve has one name and one signature, that of the trait `ParametricCurve` (feature
+//! `geometry`), whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
 //! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), [`RationalCurve`], [`RationalBezier`],
-//! [`RationalSpline`], [`SpannedCurve`], and [`Path`], which holds segments of several types. The types without a column answer
-//! all of it as well; an [`Isocurve`] has no control points of its own to be moved or mapped. Lists of curves of several types are
-//! `Vec<Box<dyn ParametricCurve<Point = P>>>`.
+//! [`RationalSpline`], [`SpannedCurve`], and [`Path`], which holds segments of several types. The types without a
+//! column answer all of it as well; an [`Isocurve`] has no control points of its own to be moved or mapped. Lists of
+//! curves of several types are `Vec<Box<dyn ParametricCurve<Point = P>>>`.
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
 //! | --- | --- | --- | --- | --- | --- |
@@ -118,8 +118,9 @@
 //! # Points
 //!
 //! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam,
-//! the vectors and points of nalgebra and mint, or a type of your own. Tangents, normals, axes and directions are vectors: of points
-//! of nalgebra, mint, kurbo and lyon_geom the vectors of these libraries, otherwise the type itself ([`Point::Vector`]).
+//! the vectors and points of nalgebra and mint, or a type of your own. Tangents, normals, axes and directions are
+//! vectors: of points of nalgebra, mint, kurbo and lyon_geom the vectors of these libraries, otherwise the type itself
+//! ([`Point::Vector`]).
 //!
 //! # Accuracy
 //!

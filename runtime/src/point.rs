@@ -6,10 +6,10 @@ use crate::scalar::{FUSED_HERE, Scalar};
 
 /// A point of an affine space, as components: what control points and points of a curve are.
 ///
-/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the features `glam`, `glam_030`, `glam_032` and `glam_033`
-/// for the float vectors of four versions of glam, and with the features `nalgebra` and `mint` for their vectors and points. Sums of points are formed component by
-/// component. Tangents, normals, axes and other directions are [`Vector`](Self::Vector)s; derivatives stand in one slice
-/// with the point, and have its type.
+/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the features `glam`, `glam_030`, `glam_032` and
+/// `glam_033` for the float vectors of four versions of glam, and with the features `nalgebra` and `mint` for their
+/// vectors and points. Sums of points are formed component by component. Tangents, normals, axes and other directions
+/// are [`Vector`](Self::Vector)s; derivatives stand in one slice with the point, and have its type.
 ///
 /// Two types and two functions make a type of your own a point:
 ///

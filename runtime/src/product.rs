@@ -60,10 +60,10 @@ impl DomainFactor {
 
 /// A family of polynomial basis functions on a product of simplices and intervals, with its shape parameters set to values.
 ///
-/// [`basis!`](crate::basis!) implements it for the types that it generates. A point of the domain has all coordinates of all factors
-/// in the order of the spec, on a prism `[u, v, w, z]`; barycentric ones are ≥ 0 with the sum 1. Functions and control points
-/// stand in the lexicographic order of their indices, the last index fastest. Barycentric coordinates with another
-/// sum are not normalised.
+/// [`basis!`](crate::basis!) implements it for the types that it generates. A point of the domain has all coordinates
+/// of all factors in the order of the spec, on a prism `[u, v, w, z]`; barycentric ones are ≥ 0 with the sum 1.
+/// Functions and control points stand in the lexicographic order of their indices, the last index fastest. Barycentric
+/// coordinates with another sum are not normalised.
 ///
 /// ```
 /// use basis_runtime::{ProductBasis, basis};

@@ -90,10 +90,11 @@ pub(crate) enum Command {
     New(NewArguments),
     /// Draw the functions of a family, a curve over it, and where a claim fails
     ///
-    /// Functions on an interval are lines, those on a triangle or a box of two variables maps with one scale of colours,
-    /// red below zero; those of three variables, as on a prism, are cut at a value of one of them. A range of shape values gives five lines for each function. With control points the curve is drawn
-    /// beside the functions. Points at which claims fail are marked, grey where `refute` declares them false. The page has sliders for the shape values and control
-    /// points to drag, and is one file.
+    /// Functions on an interval are lines, those on a triangle or a box of two variables maps with one scale of
+    /// colours, red below zero; those of three variables, as on a prism, are cut at a value of one of them. A range of
+    /// shape values gives five lines for each function. With control points the curve is drawn beside the functions.
+    /// Points at which claims fail are marked, grey where `refute` declares them false. The page has sliders for the
+    /// shape values and control points to drag, and is one file.
     #[command(after_help = PLOT_HELP)]
     Plot(PlotArguments),
     /// Print the families of spec files with what is proved of them, as a table in Markdown

@@ -1,8 +1,8 @@
 //! The library: `specs/README.md` lists every family with its source and verdicts, and every published claim that is
 //! false with its counterexample; the README has a line for each folder.
 //!
-//! `BASIS_TESTS=overwrite cargo test -p basis-cli --test documents atlas` writes the tables of today; read the difference before you
-//! keep it.
+//! `BASIS_TESTS=overwrite cargo test -p basis-cli --test documents atlas` writes the tables of today; read the
+//! difference before you keep it.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

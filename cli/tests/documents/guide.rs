@@ -95,7 +95,8 @@ fn every_listing_is_true() {
                         );
                     }
                 }
-                // Outputs stand behind their commands; Rust is tested with the engine and beside the README, C and Python with what is emitted.
+                // Outputs stand behind their commands; Rust is tested with the engine and beside the README, C and
+                // Python with what is emitted.
                 _ => {
                     assert!(["text", "rust", "c", "python"].contains(&block.info.as_str()), "{}", block.info);
                 }

@@ -23,8 +23,9 @@
 //! - The leaves are how the language writes a comment and a number, and which words it keeps for itself.
 //! - [`Language::family`] and [`Language::join`] lay out the functions. What these compute comes as
 //!   [`Steps`](crate::steps::Steps): [`FamilyCode::steps`] has those of every evaluator, and [`Expressions`] makes of
-//!   them named values and results in infix notation; inputs have the names of [`FamilyCode::input`]. A language whose operators are not infix walks the steps itself.
-//!   Steps compute one component of a point; a target either loops over the components or computes with whole arrays.
+//!   them named values and results in infix notation; inputs have the names of [`FamilyCode::input`]. A language whose
+//!   operators are not infix walks the steps itself. Steps compute one component of a point; a target either loops over
+//!   the components or computes with whole arrays.
 //! - No target computes anything by other operations than the steps: they are what is tested bit for bit beside the
 //!   compiled Rust, and what rounding bounds are proved for. A compiler may fuse products into additions, which leaves
 //!   out roundings; it may not reassociate, and a target says so where a compiler can be told to.

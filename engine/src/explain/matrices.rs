@@ -87,7 +87,8 @@ impl Matrix {
     }
 }
 
-/// The matrices of a family on an interval, a triangle, a tetrahedron, a box or a product of these; `next` is the family in its next order.
+/// The matrices of a family on an interval, a triangle, a tetrahedron, a box or a product of these; `next` is the
+/// family in its next order.
 ///
 /// Families with sin, exp or the like have integrals only. Left out are integrals that leave the functions of a spec, such
 /// as logarithms, what takes too much work, the inverse of a matrix that has none, and all of families with many functions.

@@ -1,10 +1,10 @@
 //! Denominators in floats: which rounding could make 0 or negative, and the form in which it cannot.
 //!
-//! A denominator W has no zeros, but its Bernstein coefficients may have both signs, as those of (t − m)² + c² have. Where W
-//! is small beside them the sum of its terms has few digits left, and with fewer than none the wrong sign. Of degree 2 with a
-//! number a > 0 as the coefficient of t² it is a·(t + b)² + c, whose parts are not negative where c is not: then it is computed
-//! so. Any other one is cut off at 0 from the side on which it lies: what is divided by it then is infinite or NaN, which can be seen,
-//! and not a number of the wrong sign, which cannot.
+//! A denominator W has no zeros, but its Bernstein coefficients may have both signs, as those of (t − m)² + c² have.
+//! Where W is small beside them the sum of its terms has few digits left, and with fewer than none the wrong sign. Of
+//! degree 2 with a number a > 0 as the coefficient of t² it is a·(t + b)² + c, whose parts are not negative where c is
+//! not: then it is computed so. Any other one is cut off at 0 from the side on which it lies: what is divided by it
+//! then is infinite or NaN, which can be seen, and not a number of the wrong sign, which cannot.
 
 use super::sign::has_one_sign;
 use super::{Builder, Input, Node, Ref};

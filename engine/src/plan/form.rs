@@ -106,8 +106,9 @@ pub struct RationalForm {
     pub completed: Option<Completed>,
     /// Whether the coordinates s and x add up to 1: they do not where they are made of sines.
     pub is_affine: bool,
-    /// Whether values are computed from the table of Bernstein coefficients of the numerators, as points of curves are: where these
-    /// are long polynomials in the shape values, which are better computed in one place. Otherwise from factored forms.
+    /// Whether values are computed from the table of Bernstein coefficients of the numerators, as points of curves are:
+    /// where these are long polynomials in the shape values, which are better computed in one place. Otherwise from
+    /// factored forms.
     pub is_tabulated: bool,
 }
 

@@ -1,9 +1,9 @@
 //! How far floats reach in the shape parameters that stand in sinh, cosh and exp: beyond, an evaluator overflows.
 //!
 //! Of such a parameter α, coefficients are polynomials in T = tanh(v·α) and R = 1 − T, which is between exp(−2v·α) and
-//! 2·exp(−2v·α). The *order* of a coefficient is the power of R that can be divided out of it: as α grows, a coefficient of order e
-//! falls like R^e, and the rest goes to its value at T = 1. With Bernstein coefficients w of a denominator W and n of a numerator N,
-//! all of degree d and w of one sign, and c = N/W:
+//! 2·exp(−2v·α). The *order* of a coefficient is the power of R that can be divided out of it: as α grows, a
+//! coefficient of order e falls like R^e, and the rest goes to its value at T = 1. With Bernstein coefficients w of a
+//! denominator W and n of a numerator N, all of degree d and w of one sign, and c = N/W:
 //!
 //! - |W| is at least the smallest |w|. It has to be a float with all its digits: the largest order of w counts.
 //! - |W′/W| ≤ d·max |Δw|/min(wⱼ, wⱼ₊₁), because W is Σ (s·wⱼ + x·wⱼ₊₁) B(d−1, j), and |N′/W| is alike: what counts is the
@@ -30,7 +30,8 @@ pub const FLOATS: [(&str, i64); 2] = [("f64", 1022), ("f32", 126)];
 /// Bits for roundings, and for small factors such as those of the coordinates.
 const SLACK: i64 = 2;
 
-/// The largest values of a shape parameter with which nothing overflows, in the order of [`FLOATS`]; each is a float of both kinds.
+/// The largest values of a shape parameter with which nothing overflows, in the order of [`FLOATS`]; each is a float of
+/// both kinds.
 pub type Reach = [Rational; 2];
 
 /// The orders of a coefficient in all shape parameters with exponentials.

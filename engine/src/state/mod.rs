@@ -77,8 +77,9 @@ pub fn instances(
     }
 }
 
-/// What a claim of a family says of `of` at a point, with bounds for π, exp(r) and angles beside their sines; and that it fails
-/// whatever these are between the bounds. It is false if both are seen: that the first one fails at the point, and the second one.
+/// What a claim of a family says of `of` at a point, with bounds for π, exp(r) and angles beside their sines; and that
+/// it fails whatever these are between the bounds. It is false if both are seen: that the first one fails at the point,
+/// and the second one.
 pub fn at_point(
     subject: &Subject,
     claim: &Claim,

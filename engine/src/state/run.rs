@@ -30,8 +30,8 @@ fn is_of_its_statements(subject: &Subject, claim: &Claim, evidence: &Evidence) -
 /// Of a proof that took all the work there was for it.
 const IN_PARTS: &str = "the other claims have left too little work for it; check it in a spec of its own";
 
-/// The work that is left for the claims of a run. These are decided in rounds, so that a hard claim takes nothing from an easy one,
-/// wherever they stand.
+/// The work that is left for the claims of a run. These are decided in rounds, so that a hard claim takes nothing from
+/// an easy one, wherever they stand.
 #[derive(Debug)]
 pub struct Run {
     left: u64,
@@ -107,8 +107,8 @@ impl Run {
         }
     }
 
-    /// Expands formulas, which has limits of its own. Half of the work counts for the claims, so that a file that comes near to both
-    /// limits does not take the sum of the two.
+    /// Expands formulas, which has limits of its own. Half of the work counts for the claims, so that a file that comes
+    /// near to both limits does not take the sum of the two.
     pub fn expanding<T>(&mut self, work: &mut dyn FnMut() -> T) -> T {
         let (result, units) = measured(work);
         self.left = core::cmp::max(self.left.saturating_sub(units / 2), self.left.min(LEAST));
@@ -262,8 +262,8 @@ mod tests {
         assert!(matches!(verdicts[2], Verdict::Proved(_)), "{verdicts:?}");
     }
 
-    /// However little work there is: a verdict that was not cut short is that of the claim alone, and its proofs are of the statements
-    /// that are made again for a certificate.
+    /// However little work there is: a verdict that was not cut short is that of the claim alone, and its proofs are of
+    /// the statements that are made again for a certificate.
     #[test]
     fn proofs_do_not_depend_on_the_work_of_others() {
         let spec = "family F {

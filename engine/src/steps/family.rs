@@ -15,8 +15,8 @@ use crate::plan::{Input, interval};
 use crate::weights::{zero, zeros};
 
 /// What can be evaluated of a family, as steps. Their inputs are the shape values, the coordinates of a point of the
-/// domain (t, all barycentric coordinates, the variables of a box, those of all factors of a product), and one component of the control points or of
-/// what binding them gave.
+/// domain (t, all barycentric coordinates, the variables of a box, those of all factors of a product), and one
+/// component of the control points or of what binding them gave.
 #[derive(Clone, Debug)]
 pub struct FamilySteps<'a> {
     family: &'a Family,

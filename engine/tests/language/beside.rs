@@ -527,8 +527,8 @@ fn ranges_between_numbers_and_without_end() {
     assert_eq!(found.len(), 3, "{found:?}");
 }
 
-/// Of H-Bézier and C-Bézier functions beside powers of t/α, for all α: by derivatives in t of quotients with powers of t, and in α from
-/// t on.
+/// Of H-Bézier and C-Bézier functions beside powers of t/α, for all α: by derivatives in t of quotients with powers of
+/// t, and in α from t on.
 #[test]
 fn beside_powers_of_the_variable_over_the_end() {
     let family = |sinh: &str, range: &str| {

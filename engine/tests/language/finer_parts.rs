@@ -1,5 +1,5 @@
-//! Claims that need smaller parts of an angle than the functions, sharp claims at irrational ends of ranges, points inside of spans
-//! between shape parameters, and lists of shape parameters beside angles.
+//! Claims that need smaller parts of an angle than the functions, sharp claims at irrational ends of ranges, points
+//! inside of spans between shape parameters, and lists of shape parameters beside angles.
 
 use crate::rechecked::counterexamples;
 

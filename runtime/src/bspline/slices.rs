@@ -1,8 +1,8 @@
 //! Splines at many parameters, in vector instructions.
 //!
 //! Where many parameters after each other lie in one span, its polynomial is evaluated in the form of
-//! [`EndpointForm`](crate::EndpointForm), which is made from its Bézier points. The lines of a grid are mixed from the curves over
-//! the rows of the net, which are evaluated once for all lines that need them.
+//! [`EndpointForm`](crate::EndpointForm), which is made from its Bézier points. The lines of a grid are mixed from the
+//! curves over the rows of the net, which are evaluated once for all lines that need them.
 
 // Compiled once for each set of vector instructions, inside of the functions that name them.
 #![allow(clippy::inline_always)]

@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use super::facets::Node;
 
-/// A table from corners to values, such as numbers, each at the first free place after the one that it is given: there are no others
-/// between neighbours of a grid, and no corner is taken out.
+/// A table from corners to values, such as numbers, each at the first free place after the one that it is given: there
+/// are no others between neighbours of a grid, and no corner is taken out.
 #[derive(Debug, Default)]
 pub(super) struct Index<T> {
     /// A power of two of places, at least twice as many as corners.

@@ -21,8 +21,8 @@ const MANY: usize = 40;
 const HOPE: f64 = 8.0;
 
 impl<P: Point> Path<P> {
-    /// A path of fewer segments, polynomials of degree 3 at most: one passes along the other within the tolerance, so that no point
-    /// of the one is farther from the other.
+    /// A path of fewer segments, polynomials of degree 3 at most: one passes along the other within the tolerance, so
+    /// that no point of the one is farther from the other.
     ///
     /// From each joint that stays the next segment reaches as far as a cubic can follow the path, with the same ends and
     /// directions there; it is found by a fit, and the bound comes from Bernstein coefficients of the differences of parts.

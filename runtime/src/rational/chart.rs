@@ -77,7 +77,8 @@ impl<S: Scalar> Chart<S> {
         let [(_, c0), (_, c1)] = turn.map(S::sin_cos);
         let (sin, cos) = (turn[1] - turn[0]).sin_cos();
         let factors = [c0 / sin, c1 / sin];
-        // dy/dψ = 1 / (sin Δ (s + y)²) for s = sin b / sin Δ, y = sin a / sin Δ, and sin² Δ = sin² a + sin² b + 2 sin a sin b cos Δ.
+        // dy/dψ = 1 / (sin Δ (s + y)²) for s = sin b / sin Δ, y = sin a / sin Δ, and sin² Δ = sin² a + sin² b + 2 sin a
+        // sin b cos Δ.
         let slopes = [S::ONE / sin, cos / sin, S::ONE / sin].map(|slope| slope * rate);
         Self {
             domain,

@@ -53,9 +53,9 @@ impl Side {
 /// The value and derivatives in `t` of `N(x) / W(x)`, as many as there is room for, from the Bernstein coefficients of
 /// `N` and `W`, which are overwritten.
 ///
-/// They are taken by the [balanced](Chart::balanced) place `x`. From `N = W C` the Taylor coefficients of `C` in `x` follow one after the other,
-/// `c[k] = (n[k] - Σ w[i] c[k - i]) / w[0]`, the sum over `i = 1, …, k`; Horner's scheme puts the series of `x` in `t`
-/// into that of `C`.
+/// They are taken by the [balanced](Chart::balanced) place `x`. From `N = W C` the Taylor coefficients of `C` in `x`
+/// follow one after the other, `c[k] = (n[k] - Σ w[i] c[k - i]) / w[0]`, the sum over `i = 1, …, k`; Horner's scheme
+/// puts the series of `x` in `t` into that of `C`.
 pub(crate) fn derivatives<P: Point>(
     numerator: &mut [P],
     denominator: &mut [P::Scalar],

@@ -20,7 +20,8 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         self.to_tensor_surface().bounding_box()
     }
 
-    /// The area of a triangular patch in space, with a bound of its error; as [`BoundedSurface::area`](crate::BoundedSurface::area).
+    /// The area of a triangular patch in space, with a bound of its error; as
+    /// [`BoundedSurface::area`](crate::BoundedSurface::area).
     #[cfg(feature = "geometry")]
     pub fn area(&self, accuracy: B::Scalar) -> Option<crate::Area<B::Scalar>>
     where

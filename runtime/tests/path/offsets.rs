@@ -153,7 +153,8 @@ fn joins_and_contours() {
     assert_eq!(paths.iter().map(Path::is_closed).collect::<Vec<_>>(), [true, true, false]);
 }
 
-/// Trimmed answers: everything is at the distance from the curve, all of the parallel curve that is, is there, and nothing meets itself.
+/// Trimmed answers: everything is at the distance from the curve, all of the parallel curve that is, is there, and
+/// nothing meets itself.
 fn check_trimmed(curve: &Path<P>, distance: f64, tolerance: f64) {
     let paths = Offset::new(distance, tolerance).unwrap().trimmed().of(curve).unwrap();
     for path in &paths {

@@ -1,4 +1,5 @@
-//! Every block of Rust in the README, and on a page of the guide, compiles and runs as it stands there; `build.rs` says what each builds on.
+//! Every block of Rust in the README, and on a page of the guide, compiles and runs as it stands there; `build.rs` says
+//! what each builds on.
 
 #![allow(mixed_script_confusables)] // a family has its angle as θ
 

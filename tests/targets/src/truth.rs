@@ -38,8 +38,8 @@ impl<'a> Formulas<'a> {
         Self { family, orders: [values, first, second] }
     }
 
-    /// By how much a derivative may be larger than the function: by the degree of polynomials, divided by the length of the span; 1 at
-    /// least.
+    /// By how much a derivative may be larger than the function: by the degree of polynomials, divided by the length of
+    /// the span; 1 at least.
     ///
     /// # Panics
     /// When the ends of the span have no value.

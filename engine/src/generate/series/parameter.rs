@@ -1,15 +1,15 @@
-//! Polynomials in place of functions on a domain that ends at a shape parameter α, beside sines or exponentials of t and of α, such
-//! as (t − sin t)/(α − sin α) on 0 ≤ t ≤ α.
+//! Polynomials in place of functions on a domain that ends at a shape parameter α, beside sines or exponentials of t
+//! and of α, such as (t − sin t)/(α − sin α) on 0 ≤ t ≤ α.
 //!
 //! Where t = α·ℓ(y) with ℓ of degree 1 and 0 ≤ y ≤ 1, the numerator and the denominator are power series in α,
 //!
 //! Σ αⁿ pₙ(ℓ(y)), each pₙ a polynomial of degree ≤ n.
 //!
-//! Their coefficients are exact. The power of α that numerator and denominator share is divided out, so that a value keeps its digits
-//! where α is small, and each pₙ vanishes at an end of the domain where the function does, to the same order. A series is
-//! cut off where its terms have fallen below 2⁻⁵⁸ of the first one for the largest α, and are falling further. Then its highest terms are
-//! replaced by lower ones, in α and in y, as long as Chebyshev polynomials show that this changes no more than that. That
-//! the rest is as small is seen from the coefficients and not proved.
+//! Their coefficients are exact. The power of α that numerator and denominator share is divided out, so that a value
+//! keeps its digits where α is small, and each pₙ vanishes at an end of the domain where the function does, to the same
+//! order. A series is cut off where its terms have fallen below 2⁻⁵⁸ of the first one for the largest α, and are
+//! falling further. Then its highest terms are replaced by lower ones, in α and in y, as long as Chebyshev polynomials
+//! show that this changes no more than that. That the rest is as small is seen from the coefficients and not proved.
 
 use std::rc::Rc;
 
@@ -387,8 +387,8 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// The polynomial of degree below n that is nearest to xⁿ for 0 ≤ x ≤ 1, and its error: xⁿ − T*(x)/2²ⁿ⁻¹, where T* is the Chebyshev polynomial
-/// of degree n ≥ 1 of that interval.
+/// The polynomial of degree below n that is nearest to xⁿ for 0 ≤ x ≤ 1, and its error: xⁿ − T*(x)/2²ⁿ⁻¹, where T* is
+/// the Chebyshev polynomial of degree n ≥ 1 of that interval.
 fn chebyshev(n: usize) -> (Vec<Rational>, Rational) {
     let mut last = vec![Rational::ONE];
     let mut this = vec![-Rational::ONE, Rational::from(2)];

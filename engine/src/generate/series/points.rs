@@ -1,9 +1,11 @@
-//! Polynomials in place of functions on a domain that ends at numbers, such as t − sin t on 0 ≤ t ≤ π/2: span by span from their power series, at both ends of the domain, at 0 and at knots between.
+//! Polynomials in place of functions on a domain that ends at numbers, such as t − sin t on 0 ≤ t ≤ π/2: span by span
+//! from their power series, at both ends of the domain, at 0 and at knots between.
 //!
-//! Next to an end, and to 0, the first coefficients that are not zero are those of the function, so that a value keeps its digits where the
-//! function vanishes; which ones are zero is decided exactly. A series is cut off where its coefficients on the span have fallen
-//! below 2⁻⁵⁸ of the first one, or of the largest one on spans inside, and are falling further; the numbers have 192 bits before they
-//! become floats. That the rest is as small as that is seen from the coefficients and not proved.
+//! Next to an end, and to 0, the first coefficients that are not zero are those of the function, so that a value keeps
+//! its digits where the function vanishes; which ones are zero is decided exactly. A series is cut off where its
+//! coefficients on the span have fallen below 2⁻⁵⁸ of the first one, or of the largest one on spans inside, and are
+//! falling further; the numbers have 192 bits before they become floats. That the rest is as small as that is seen from
+//! the coefficients and not proved.
 
 use basis_prover::collections::list::{Listed, Mapped};
 use std::rc::Rc;
@@ -37,8 +39,9 @@ const TERMS: i64 = 70;
 /// A power series with coefficients that are polynomials in the shape parameters.
 type Series = Vec<Poly>;
 
-/// The family on a span as families on several spans whose functions are polynomials; `None` where the ends of the span are parameters, or a
-/// shape parameter stands below a fraction line, or the functions have no power series of that kind.
+/// The family on a span as families on several spans whose functions are polynomials; `None` where the ends of the span
+/// are parameters, or a shape parameter stands below a fraction line, or the functions have no power series of that
+/// kind.
 pub(super) fn in_polynomials(family: &Family) -> Option<Vec<Rc<Family>>> {
     let (var, ..) = family.interval()?;
     let angle = family.analytic.angle(var).filter(|a| a.kind != Kind::Linear)?;

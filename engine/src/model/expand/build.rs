@@ -155,8 +155,8 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
     budget
 }
 
-/// The lines of the statements that define functions outside of `base`; none where each of them has a statement of its own and can be read
-/// from its expanded form, without angles and exponentials, or where the spec is no text.
+/// The lines of the statements that define functions outside of `base`; none where each of them has a statement of its
+/// own and can be read from its expanded form, without angles and exponentials, or where the spec is no text.
 fn lines_of_functions(scope: &Scope<'_>, written: &syntax::Family, functions: usize) -> Vec<String> {
     /// More lines explain nothing.
     const MOST: usize = 40;

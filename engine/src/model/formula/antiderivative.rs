@@ -1,8 +1,8 @@
-//! Antiderivatives of quotients (M. Ostrogradsky, 1845; E. Horowitz, "Algorithms for partial fraction decomposition and rational function
-//! integration", SYMSAM 1971). With D₁ = gcd(D, D′), D₂ = D/D₁ and E = D₁′·D₂/D₁, a polynomial, N/D = (Q/D₁)′ if and only if
-//! N = Q′·D₂ − Q·E, and if N/D has any rational antiderivative it has one of this form. Compared by powers of t from the highest
-//! one, the factor of the coefficient qₖ of Q is (k − deg D₁)·lc(D₂): all of them are determined but that of the constant of
-//! integration.
+//! Antiderivatives of quotients (M. Ostrogradsky, 1845; E. Horowitz, "Algorithms for partial fraction decomposition and
+//! rational function integration", SYMSAM 1971). With D₁ = gcd(D, D′), D₂ = D/D₁ and E = D₁′·D₂/D₁, a polynomial, N/D =
+//! (Q/D₁)′ if and only if N = Q′·D₂ − Q·E, and if N/D has any rational antiderivative it has one of this form. Compared
+//! by powers of t from the highest one, the factor of the coefficient qₖ of Q is (k − deg D₁)·lc(D₂): all of them are
+//! determined but that of the constant of integration.
 
 use crate::algebra::divisors::gcd::checked_gcd;
 use crate::algebra::fraction::Fraction;

@@ -41,8 +41,8 @@ impl Scope<'_> {
         Some((p, Rc::new(domain)))
     }
 
-    /// A denominator for all positive values of parameters in exponentials whose ranges end at positive numbers: in terms of their
-    /// own tangents, as exp(r) does not occur then. `None` where there is no such parameter.
+    /// A denominator for all positive values of parameters in exponentials whose ranges end at positive numbers: in
+    /// terms of their own tangents, as exp(r) does not occur then. `None` where there is no such parameter.
     pub(super) fn for_all_positive(&self, divisor: &Poly, domain: &Domain) -> Option<(Poly, Rc<Domain>)> {
         let (mut value, mut analytic) = (Fraction::from(divisor.clone()), self.analytic.clone());
         let (mut domain, mut found) = (domain.clone(), false);

@@ -1,7 +1,7 @@
 //! Integrals in expressions: `integral(f)` over the domain, `integral(f, t, a, b)` in one variable between bounds.
 //!
-//! A polynomial has a polynomial as its antiderivative; for quotients and angles see `antiderivative`. Over the simplex u₁ + … + uₖ ≤ 1 the integral of u₁^a₁ ⋯ uₖ^aₖ is
-//! a₁! ⋯ aₖ!/(a₁ + … + aₖ + k)!.
+//! A polynomial has a polynomial as its antiderivative; for quotients and angles see `antiderivative`. Over the simplex
+//! u₁ + … + uₖ ≤ 1 the integral of u₁^a₁ ⋯ uₖ^aₖ is a₁! ⋯ aₖ!/(a₁ + … + aₖ + k)!.
 
 use proc_macro2::Span;
 

@@ -45,8 +45,9 @@ pub enum LineCap {
     Square,
 }
 
-/// The curve beside a curve in the plane, at a distance: `O(t) = C(t) + d N(t)` with the unit vector `N` a quarter turn to the left of
-/// the direction of the curve. A positive distance is to the left, which is inside of a curve that runs anticlockwise.
+/// The curve beside a curve in the plane, at a distance: `O(t) = C(t) + d N(t)` with the unit vector `N` a quarter turn
+/// to the left of the direction of the curve. A positive distance is to the left, which is inside of a curve that runs
+/// anticlockwise.
 ///
 /// The answer consists of cubic segments, of arcs and lines at corners, one path for each contour of the curve. Every point
 /// of a cubic segment is within the tolerance of the point `O(t)` at its parameter, and reaches all of them; the bound comes from
@@ -100,9 +101,9 @@ impl<S: Scalar> Offset<S> {
         self
     }
 
-    /// Without the points that are nearer to the curve than the distance, by more than about the tolerance: the parallel curve is cut
-    /// where it meets itself, turns round, or is at the distance from an end of the curve, and the parts that are far enough
-    /// are put together again.
+    /// Without the points that are nearer to the curve than the distance, by more than about the tolerance: the
+    /// parallel curve is cut where it meets itself, turns round, or is at the distance from an end of the curve, and
+    /// the parts that are far enough are put together again.
     ///
     /// A distance as small as rounding errors of the curve, or a curve as small as those of the distance, leaves everything
     /// there. There can be several paths then, or none, if every point at the distance is nearer to another part of the curve.
@@ -130,9 +131,10 @@ impl<S: Scalar> Offset<S> {
 
 /// The outline of a line of some width along a curve in the plane: what SVG's `stroke` paints, by the rule `nonzero`.
 ///
-/// It is the curve half of the width to the left and back half of the width to the right, as of [`Offset`], with caps at the ends of
-/// open contours. A closed contour has two outlines, the second in the other direction. Where the radius of curvature is
-/// smaller than half of the width, and at inner corners, the outline meets itself, inside of what is painted.
+/// It is the curve half of the width to the left and back half of the width to the right, as of [`Offset`], with caps
+/// at the ends of open contours. A closed contour has two outlines, the second in the other direction. Where the radius
+/// of curvature is smaller than half of the width, and at inner corners, the outline meets itself, inside of what is
+/// painted.
 ///
 /// ```
 /// use basis_runtime::{LineCap, ParametricCurve, Path, Stroke};

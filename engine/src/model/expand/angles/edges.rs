@@ -1,8 +1,9 @@
 //! Ends of ranges of angles whose tangents are irrational.
 //!
-//! Of ψ = kπ/(4n) the multiple nψ is one of eighth turns, so that x = tan ψ is a zero of Im (1 + ix)ⁿ, of Re (1 + ix)ⁿ, or of
-//! their sum or difference. All its zeros are the tangents of ψ + jπ/n; those that are zeros for a part of n are taken out. Where no other one lies in the range, the sign of
-//! that polynomial says on which side of tan ψ a number is; the range itself ends at a rational number beyond tan ψ.
+//! Of ψ = kπ/(4n) the multiple nψ is one of eighth turns, so that x = tan ψ is a zero of Im (1 + ix)ⁿ, of Re (1 + ix)ⁿ,
+//! or of their sum or difference. All its zeros are the tangents of ψ + jπ/n; those that are zeros for a part of n are
+//! taken out. Where no other one lies in the range, the sign of that polynomial says on which side of tan ψ a number
+//! is; the range itself ends at a rational number beyond tan ψ.
 
 use crate::algebra::divisors::gcd::checked_gcd;
 use crate::algebra::poly::{Poly, Var};

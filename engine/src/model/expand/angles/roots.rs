@@ -1,5 +1,5 @@
-//! The numbers tan(π/n) of which tangents of rational parts of a turn are made that are irrational: at ends of a domain, at values
-//! that `at` gives to an angle, and of numbers such as sin(π/4).
+//! The numbers tan(π/n) of which tangents of rational parts of a turn are made that are irrational: at ends of a
+//! domain, at values that `at` gives to an angle, and of numbers such as sin(π/4).
 //!
 //! tan(kπ/n) is a quotient of polynomials in x = tan(π/n), from (1 + ix)ᵏ. The number itself is a zero of its minimal
 //! polynomial, which is found as a divisor of Im (1 + ix)ⁿ.
@@ -81,8 +81,8 @@ pub(super) fn roots(
     scope.analytic.roots = roots;
 }
 
-/// The least n of which all of these are multiples of 1/n, after another one, as far as that is not too large; what does not fit is
-/// refused where it is written.
+/// The least n of which all of these are multiples of 1/n, after another one, as far as that is not too large; what
+/// does not fit is refused where it is written.
 fn with_all(before: Option<i64>, turns: &[Rational]) -> Option<i64> {
     turns.iter().filter(|psi| !(*psi * &Rational::from(4)).is_integer()).fold(before, |parts, psi| {
         let unit = parts.map_or_else(|| Rational::new(1, 2), |n| Rational::new(1, n)).gcd(psi);

@@ -39,7 +39,8 @@ pub(in crate::state::family) fn enough<'f>(
     by_a_way(family, (of, value, comparison), part, sample, saying).map_or(Enough::Unknown, Enough::All)
 }
 
-/// What is enough where an angle stands beside its sine, with the names of what it is about; `None` where no way leads to a proof.
+/// What is enough where an angle stands beside its sine, with the names of what it is about; `None` where no way leads
+/// to a proof.
 fn by_a_way<'f>(
     family: &'f Family,
     (of, value, comparison): (&str, &Fraction, Comparison),
@@ -205,8 +206,8 @@ pub(in crate::state::family) fn refuted_whatever(
 /// The work for a proof that is tried before counterexamples are searched.
 const AT_ONCE: u64 = 4_000_000;
 
-/// A claim in which an angle stands beside its sine, if the way that is tried first leads to a proof. It takes less time than the search for
-/// a counterexample, which most claims do not have.
+/// A claim in which an angle stands beside its sine, if the way that is tried first leads to a proof. It takes less
+/// time than the search for a counterexample, which most claims do not have.
 pub(in crate::state::family) fn proved_at_once(family: &Family, claim: &Claim) -> Option<Verdict> {
     // Where ranges end in numbers in exponentials, without these ends; otherwise the ladder of derivatives.
     let way = if has_ends(family) { super::WIDER } else { super::LADDER };

@@ -2,8 +2,8 @@
 //!
 //! **Theorem.** If g = Σ cⱼ·bⱼ with numbers cⱼ ≥ 0 and functions bⱼ ≥ 0, then g ≥ 0. Where some bⱼ with cⱼ > 0 is > 0, so is g.
 //!
-//! So 1 - b[1] is ≥ 0 where the functions sum to 1, although its derivative changes its sign the wrong way. Each function goes a way
-//! of its own.
+//! So 1 - b[1] is ≥ 0 where the functions sum to 1, although its derivative changes its sign the wrong way. Each
+//! function goes a way of its own.
 
 use basis_prover::algebra::matrix::vanishing_combinations;
 use basis_prover::collections::list::{Listed, Mapped};

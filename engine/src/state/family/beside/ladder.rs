@@ -11,13 +11,15 @@
 //!    of g/A lowers that power. A power of t itself is positive where t is.
 //! 5. *Powers.* If k·g − t·g′ ≥ 0 for t > 0, g/tᵏ falls, and g(b) ≥ 0 shows g ≥ 0; at t = 0 by continuity.
 //! 6. *Without t.* A quotient N/D with D > 0 is first ≥ 0 and then ≤ 0 if N/(uʲ·vᵏ), u = y − a, v = b − y, j, k ≥ 0, falls:
-//!    N′·u·v − N·(j·v − k·u) ≤ 0. This is so if the Bernstein coefficients of N, of degree j + k or less, change their sign once, at j.
+//!    N′·u·v − N·(j·v − k·u) ≤ 0. This is so if the Bernstein coefficients of N, of degree j + k or less, change their
+//!    sign once, at j.
 //!
 //! Derivatives are in t; of the last one only signs are asked, so that it may be one in the tangent. Which rule is used where is
 //! guessed from signs at some points.
 //!
-//! On the domain a ≤ t ≤ α with a parameter α above a, g ≥ 0 follows for each t > a from the first rule in α as well, on the way from
-//! α = t on: from g ≥ 0 at t = α and dg/dα ≥ 0. At t = a it follows by continuity, and g > 0 there is shown by itself.
+//! On the domain a ≤ t ≤ α with a parameter α above a, g ≥ 0 follows for each t > a from the first rule in α as well,
+//! on the way from α = t on: from g ≥ 0 at t = α and dg/dα ≥ 0. At t = a it follows by continuity, and g > 0 there is
+//! shown by itself.
 
 use basis_prover::collections::list::Listed;
 

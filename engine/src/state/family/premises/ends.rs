@@ -1,9 +1,9 @@
 //! Ends of ranges that are irrational, as numbers.
 //!
-//! **Theorem.** Let g be a polynomial in x with a single zero ρ between a and b, g(a) > 0 and g(b) < 0. Where g(x) ≥ 0 on [a, b], x is
-//! a + (ρ − a)·z with 0 ≤ z ≤ 1, and z < 1 where g(x) > 0. A function f(x) = f(a + (ρ − a)·z) is a polynomial in z and ρ, of which
-//! multiples of g(ρ) may be taken away. It is ≥ 0 if the rest is for all z from 0 to 1 and all numbers in place of ρ between two
-//! that have ρ between them.
+//! **Theorem.** Let g be a polynomial in x with a single zero ρ between a and b, g(a) > 0 and g(b) < 0. Where g(x) ≥ 0
+//! on [a, b], x is a + (ρ − a)·z with 0 ≤ z ≤ 1, and z < 1 where g(x) > 0. A function f(x) = f(a + (ρ − a)·z) is a
+//! polynomial in z and ρ, of which multiples of g(ρ) may be taken away. It is ≥ 0 if the rest is for all z from 0 to 1
+//! and all numbers in place of ρ between two that have ρ between them.
 //!
 //! A claim that is sharp at the end has coefficients that vanish there exactly.
 

@@ -153,8 +153,8 @@ impl Sign<'_> {
             .or_else(|| self.narrowed())
     }
 
-    /// The factors g(x·v) of a polynomial and the rest, g(x) a premise and v a variable, as of cos(t) = g(tan(t/4))·h on 0 ≤ t ≤ α
-    /// ≤ π/2, where tan(t/4) is a part of tan(α/4).
+    /// The factors g(x·v) of a polynomial and the rest, g(x) a premise and v a variable, as of cos(t) = g(tan(t/4))·h
+    /// on 0 ≤ t ≤ α ≤ π/2, where tan(t/4) is a part of tan(α/4).
     fn premises_of_parts(&self, p: &Poly) -> (Poly, Vec<(Poly, u32)>) {
         let (mut rest, mut found) = (p.clone(), Vec::new());
         for (g, _) in &self.domain.premises {

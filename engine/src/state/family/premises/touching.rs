@@ -1,8 +1,8 @@
 //! Points on the border of what is assumed at which an expression that is ≥ 0 there vanishes, such as α = β = 1/√2 for
 //! 1/2 − α·β on the disk α² + β² ≤ 1: nearly always irrational, so that no search among rational points meets them.
 //!
-//! All variables but two have the values of a point near by. Where f(x, y) = 0 and g(x, y) = 0, x is a zero of the resultant in y, and
-//! y of that in x. Which of the pairs are such points is for the kernel to see.
+//! All variables but two have the values of a point near by. Where f(x, y) = 0 and g(x, y) = 0, x is a zero of the
+//! resultant in y, and y of that in x. Which of the pairs are such points is for the kernel to see.
 
 use basis_kernel::{Relation, Statement};
 use basis_prover::collections::list::Listed;
