@@ -289,11 +289,15 @@ def vanishing(own, r):
     return None
 
 
+# What a formula may take to expand.
+LIMITS = 'too much work|the highest degree|takes more than'
+
+
 def refusal(own, messages, r):
     """Only a denominator that vanishes, or may, is a reason to refuse a family."""
-    if own.kind == 'arcs' and all(re.search('too much work|the highest degree', m) for m in messages):
+    if own.kind == 'arcs' and all(re.search(LIMITS, m) for m in messages):
         return None
-    if own.kind == 'turns' and all(re.search('irrational|too much work|the highest degree', m) for m in messages):
+    if own.kind == 'turns' and all(re.search(f'irrational|{LIMITS}', m) for m in messages):
         return None  # too many numbers of different kinds
     if own.kind == 'rational' and all(m == 'division by zero' for m in messages):
         values = [own.denominator.eval(own.sample(r)) for _ in range(9)]

@@ -163,8 +163,7 @@ impl Emitter<'_> {
                 #basis::mass_matrix(self)
             }
 
-            /// The stiffness matrix: the integrals of products of their gradients over the domain; of a simplex the
-            /// reference simplex.
+            /// The stiffness matrix: the integrals of products of their gradients over the domain; of a simplex the reference simplex.
             #[must_use]
             pub fn stiffness_matrix(&self) -> [[S; #len]; #len] {
                 #basis::stiffness_matrix(self)

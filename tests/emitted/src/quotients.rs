@@ -351,12 +351,9 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Fall<S> {
 ///
 /// for `0 <= t <= 1`, `0 <= m <= 1`, `0 < c <= 1`.
 ///
-/// `b[1]`: never negative, computed with a square as a factor. `b[2]`: cut off at 0, below which only rounding could
-/// take what is proved nonnegative.
+/// `b[1]`: never negative, computed with a square as a factor. `b[2]`: cut off at 0, below which only rounding could take what is proved nonnegative.
 ///
-/// For values the denominator is computed as a square and what is added to it, which are not negative: it is 0 only
-/// where both underflow. The Bernstein coefficients of the denominator have both signs: where it is smaller than its
-/// rounding error, it may be 0 in floats, and points and derivatives are infinite or NaN.
+/// For values the denominator is computed as a square and what is added to it, which are not negative: it is 0 only where both underflow. The Bernstein coefficients of the denominator have both signs: where it is smaller than its rounding error, it may be 0 in floats, and points and derivatives are infinite or NaN.
 ///
 /// # Claims
 ///

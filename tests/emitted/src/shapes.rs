@@ -29,11 +29,9 @@ const _: () = basis_runtime::generated::unchanged(
 ///
 /// for `0 <= t <= 2`, `0 <= μ <= 1`.
 ///
-/// Rounding errors of the values, proved to be at most: `b[0]`: 3.26 ε of the value; `b[1]`: 2.01 ε of the value;
-/// `b[2]`: 3.01 ε of the value.
+/// Rounding errors of the values, proved to be at most: `b[0]`: 3.26 ε of the value; `b[1]`: 2.01 ε of the value; `b[2]`: 3.01 ε of the value.
 ///
-/// Rounding error of each component of a point of a curve, binding included, proved to be at most: 6.82 ε times the
-/// largest absolute value of that component of a control point.
+/// Rounding error of each component of a point of a curve, binding included, proved to be at most: 6.82 ε times the largest absolute value of that component of a control point.
 ///
 /// # Claims
 ///
@@ -158,8 +156,7 @@ impl<S: basis_runtime::Scalar> Bell<S> {
     ///
     /// # Errors
     ///
-    /// When `f` is not positive or a number is not finite, and where the control points do not determine the
-    /// derivatives: `μ = 1`.
+    /// When `f` is not positive or a number is not finite, and where the control points do not determine the derivatives: `μ = 1`.
     pub fn curve_after<B: basis_runtime::Basis<Scalar = S>, P: basis_runtime::Point<Scalar = S>>(
         &self,
         curve: &basis_runtime::Curve<B, P>,
@@ -189,8 +186,7 @@ impl<S: basis_runtime::Scalar> Bell<S> {
     ///
     /// # Errors
     ///
-    /// When `f` is not positive or a number is not finite, and where the control points do not determine the
-    /// derivatives: `μ = 1`.
+    /// When `f` is not positive or a number is not finite, and where the control points do not determine the derivatives: `μ = 1`.
     pub fn curve_before<B: basis_runtime::Basis<Scalar = S>, P: basis_runtime::Point<Scalar = S>>(
         &self,
         curve: &basis_runtime::Curve<B, P>,
@@ -329,11 +325,9 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for Bell<S> {
 ///
 /// for `u + v + w = 1`, all ≥ 0, `0 <= κ <= 2`.
 ///
-/// Rounding errors of the values, proved to be at most: `b[0,0,2], b[0,2,0], b[2,0,0]`: 2.51 ε of the value; `b[0,1,1],
-/// b[1,0,1], b[1,1,0]`: 1.01 ε of the value.
+/// Rounding errors of the values, proved to be at most: `b[0,0,2], b[0,2,0], b[2,0,0]`: 2.51 ε of the value; `b[0,1,1], b[1,0,1], b[1,1,0]`: 1.01 ε of the value.
 ///
-/// Rounding error of each component of a point of a patch, binding included, proved to be at most: 4.27 ε times the
-/// largest absolute value of that component of a control point, where the barycentric coordinates add up to 1.
+/// Rounding error of each component of a point of a patch, binding included, proved to be at most: 4.27 ε times the largest absolute value of that component of a control point, where the barycentric coordinates add up to 1.
 ///
 /// # Claims
 ///
@@ -500,8 +494,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::TriangularBasis for Tent<S> {
 ///
 /// Rounding errors of the values, proved to be at most: `b[0]`: 1.01 ε of the value; `b[1]`: 2.51 ε of the value.
 ///
-/// Rounding error of each component of a point of a patch, binding included, proved to be at most: 3.01 ε times the
-/// largest absolute value of that component of a control point.
+/// Rounding error of each component of a point of a patch, binding included, proved to be at most: 3.01 ε times the largest absolute value of that component of a control point.
 ///
 /// # Claims
 ///
