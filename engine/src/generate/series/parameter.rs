@@ -44,18 +44,29 @@ pub(super) fn in_polynomials(family: &Family) -> Option<Family> {
     LAST.into_iter().find_map(|last| source.of_degree(&quotients, last))
 }
 
+/// The work after which [`longest`] tries no further end.
+const SEARCH: u64 = 5_000_000;
+
 /// The ends of a range that [`longest`] tries.
 const ENDS: [i64; 7] = [16, 12, 8, 6, 4, 2, 1];
 
 /// The name of the shape parameter whose range is too long for such polynomials, or has no end, and the range with the largest of
 /// some numbers as its end that is not; `None` where the range is not what they fail for.
 pub(super) fn longest(family: &Family) -> Option<(String, String)> {
+    let mut units = 0;
     ENDS.into_iter().find_map(|last| {
+        if units > SEARCH {
+            return None;
+        }
         let last = Rational::from(last);
         let source = Source::within(family, Some(&last))?;
-        let quotients =
-            family.functions.iter().map(|f| source.quotient(&f.value)).collect::<Option<Vec<_>>>()?;
-        LAST.into_iter().find_map(|terms| source.of_degree(&quotients, terms))?;
+        let (found, done) = basis_prover::measured(&mut || {
+            let quotients = family.functions.iter().map(|f| source.quotient(&f.value));
+            let quotients = quotients.collect::<Option<Vec<_>>>()?;
+            LAST.into_iter().find_map(|terms| source.of_degree(&quotients, terms))
+        });
+        units += done;
+        found?;
         let (name, parameter) = (&source.end.name, family.shapes.iter().find(|p| p.var == source.end.var)?);
         let sign = if parameter.range.low.is_included() { "<=" } else { "<" };
         Some((name.clone(), format!("{} {sign} {name} <= {last}", source.end.ends[0])))

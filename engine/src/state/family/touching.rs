@@ -52,7 +52,7 @@ fn powers(p: &Poly, var: Var, root: &Root, work: &mut Work) -> Option<Poly> {
         }
     }
     let mut product = Poly::one();
-    for (factor, exponent) in square_free(&mut field, common, work)? {
+    for (factor, exponent) in square_free(&mut field, &common, work)? {
         // Powers with rational coefficients are seen as they are.
         if exponent < 2 || factor.iter().all(Element::is_constant) {
             continue;
@@ -124,10 +124,10 @@ fn quotient(field: &Field, p: &Over, by: &Over, work: &mut Work) -> Option<Over>
 }
 
 /// The factors of a polynomial with the leading coefficient 1 that have no factor in common, with their exponents.
-fn square_free(field: &mut Field, p: Over, work: &mut Work) -> Option<Vec<(Over, u32)>> {
+fn square_free(field: &mut Field, p: &Over, work: &mut Work) -> Option<Vec<(Over, u32)>> {
     let slope = p.iter().enumerate().skip(1).map(|(k, c)| c.scale(&Rational::from(k as i64))).listed();
     let mut others = monic(field, p.clone(), slope, work)?;
-    let mut own = quotient(field, &p, &others, work)?;
+    let mut own = quotient(field, p, &others, work)?;
     let (mut found, mut exponent) = (Vec::new(), 1);
     while own.len() > 1 {
         let next = monic(field, own.clone(), others.clone(), work)?;
