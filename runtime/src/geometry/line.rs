@@ -79,10 +79,11 @@ fn run<const N: usize>(
     }
     direction = direction.map(|c| c / length);
     let mut whole = net::<N, 2>(curve, view);
-    for i in 0..N {
-        let [x, y] = [whole[0][i] - ends[0][0], whole[1][i] - ends[0][1]];
-        whole[0][i] = direction[0] * y - direction[1] * x;
-        whole[1][i] = direction[0] * x + direction[1] * y;
+    let [first, second] = &mut whole;
+    for (height, along) in first.iter_mut().zip(second) {
+        let [x, y] = [*height - ends[0][0], *along - ends[0][1]];
+        *height = direction[0] * y - direction[1] * x;
+        *along = direction[0] * x + direction[1] * y;
     }
     let apart = accuracy + 2.0 * NOISE;
     let mut found = Crossings::default();
@@ -195,11 +196,11 @@ fn divided<const N: usize>(part: &Part<N>) -> [Part<N>; 2] {
     let (mut before, mut after) = (*part, *part);
     (before.range[1], after.range[0]) = (middle, middle);
     for (left, right) in before.rows.iter_mut().zip(&mut after.rows) {
-        for step in 1..N {
+        for (step, end) in left.iter_mut().enumerate().skip(1) {
             for i in 0..N - step {
                 right[i] = (1.0 - DIVISION) * right[i] + DIVISION * right[i + 1];
             }
-            left[step] = right[0];
+            *end = right[0];
         }
     }
     [before, after]

@@ -1,7 +1,7 @@
 //! Answers that are one: places of two parameters that are beside each other, and boxes that touch, found in sorted
 //! order.
 
-use alloc::collections::BTreeMap;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
 /// Intervals of two parameters.
@@ -52,9 +52,9 @@ fn round(mut boxes: Vec<Box2>, gaps: [f64; 2]) -> Vec<Box2> {
     let mut done = Vec::with_capacity(boxes.len());
     let mut open: BTreeMap<i64, Box2> = BTreeMap::new();
     // Where the open ones end; some of these are parts of others by then.
-    let mut ends: BTreeMap<(i64, i64), ()> = BTreeMap::new();
+    let mut ends: BTreeSet<(i64, i64)> = BTreeSet::new();
     for mut next in boxes {
-        while let Some((&(end, start), ())) = ends.first_key_value() {
+        while let Some(&(end, start)) = ends.first() {
             let ended = open.get(&start).filter(|other| key(other[0][1]) == end);
             if let Some(&other) = ended {
                 if next[0][0] <= other[0][1] + gaps[0] {
@@ -75,7 +75,7 @@ fn round(mut boxes: Vec<Box2>, gaps: [f64; 2]) -> Vec<Box2> {
                 *side = [side[0].min(other[0]), side[1].max(other[1])];
             }
         }
-        ends.insert((key(next[0][1]), key(next[1][0])), ());
+        ends.insert((key(next[0][1]), key(next[1][0])));
         open.insert(key(next[1][0]), next);
     }
     done.extend(open.into_values());
