@@ -14,7 +14,7 @@ fn end<B: RationalBasis>(
         let middle = (low + high) * B::Scalar::of(0.5);
         if new(middle).is_ok() { low = middle } else { high = middle }
     }
-    (low, new(high).err().expect("beyond"))
+    (low, new(high).expect_err("beyond"))
 }
 
 /// Values and two derivatives of the functions, all over the domain.
