@@ -94,15 +94,21 @@ pub struct Report {
 pub fn check(source: Source) -> Report {
     let library = Library::from_source(&Disk, &Prover, source);
     let run = &mut state::Run::default();
-    let families = run.expanding(&mut || library.items(Selected::EveryOrder));
-    let warnings = generate::no_floats(&families);
-    let theorems = run.expanding(&mut || theorem::theorems(&library));
-    let items = families.into_iter().chain(theorems).listed();
+    let (items, warnings) = expanded(&library, run);
     let items = decide_all(items, run);
     let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
     diagnostics.extend(warnings);
     diagnostics.extend(items.iter().flat_map(contradictions));
     Report { items, diagnostics: diagnostics.into_list(), sources: library.sources().clone() }
+}
+
+/// What a file states, its families in every order and then its theorems and joins, expanded with the work of a run; and
+/// the warnings about numbers in the families that are no floats.
+pub fn expanded(library: &Library<'_>, run: &mut state::Run) -> (Vec<Item>, Vec<Diagnostic>) {
+    let mut items = run.expanding(&mut || library.items(Selected::EveryOrder));
+    let warnings = generate::no_floats(&items);
+    items.extend(run.expanding(&mut || theorem::theorems(library)));
+    (items, warnings)
 }
 
 /// Decides all claims of an item.

@@ -31,9 +31,6 @@ thread_local! {
     static CEILING: Cell<u64> = const { Cell::new(u64::MAX) };
     /// The units of the innermost `within`.
     static SHARE: Cell<u64> = const { Cell::new(u64::MAX) };
-}
-
-thread_local! {
     /// How many decisions the ceilings have cut short.
     static CUTS: Cell<u64> = const { Cell::new(0) };
 }

@@ -6,10 +6,9 @@ use basis_engine::diagnostic::Place;
 use basis_engine::formulas::{self, Formulas, PointFormulas};
 use basis_engine::model::obligation::Obligation;
 use basis_engine::state;
-use basis_engine::theorem::theorems;
 use basis_engine::{
-    Claim, Diagnostic, Diagnostics, Disk, Item, Library, Prover, Selected, Severity, Sources, Subject,
-    Verdict, generate,
+    Claim, Diagnostic, Diagnostics, Disk, Item, Library, Prover, Severity, Sources, Subject, Verdict,
+    expanded,
 };
 
 use super::files::Entry;
@@ -133,11 +132,8 @@ pub(crate) fn watched(entry: Entry, formal: Formal, decided: &dyn Fn()) -> Outco
     };
     let library = Library::from_source(&Disk, &Prover, source);
     let run = &mut state::Run::default();
-    let families = run.expanding(&mut || library.items(Selected::EveryOrder));
-    let warnings = generate::no_floats(&families);
-    let theorems = run.expanding(&mut || theorems(&library));
-    let items = families.into_iter().chain(theorems);
-    let mut items = decide(items.collect(), run, decided);
+    let (items, warnings) = expanded(&library, run);
+    let mut items = decide(items, run, decided);
     if formal == Formal::Kept {
         for item in &mut items {
             match &item.subject {

@@ -73,7 +73,7 @@ fn is_measured(angle: &Angle) -> bool {
 
 /// A common denominator without a factor that is made of numbers such as exp(r) only, of which the functions have none: floats
 /// would overflow by it although no value is large.
-fn without_numbers(family: &Family, functions: &[Function], over: &Poly, work: &mut Work) -> Poly {
+fn without_common_numbers(family: &Family, functions: &[Function], over: &Poly, work: &mut Work) -> Poly {
     let numbers = family.analytic.numbers();
     let mut parts: Vec<(Monomial, Poly)> = Vec::new();
     for (monomial, c) in over.terms() {
@@ -137,7 +137,7 @@ fn replaced(family: &Family, var: Var, value: &Fraction, work: &mut Work) -> Opt
             let rest = Fraction::new(f.value.denom().clone(), over.clone())?;
             over = &over * rest.numer();
         }
-        over = without_numbers(family, &functions, &over, work);
+        over = without_common_numbers(family, &functions, &over, work);
     } else {
         over = Poly::one();
     }

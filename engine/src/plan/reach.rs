@@ -43,10 +43,10 @@ pub fn reaches(family: &Family, forms: &[RationalForm]) -> Vec<Option<Reach>> {
     let grows = |p: &Parameter| family.analytic.angle(p.var).filter(|a| a.kind == Kind::Hyperbolic);
     let angles: Vec<&Angle> = family.shapes.iter().filter_map(grows).listed();
     let mut needs = Needs { angles: &angles, family, all: Vec::new() };
-    if !angles.is_empty() {
+    if !angles.is_empty() && !forms.is_empty() {
+        needs.of_tangents();
         for (k, form) in forms.iter().enumerate() {
             let on_span = family.pieces.get(k).map_or(family, |piece| &**piece);
-            needs.of_tangents();
             needs.of_chart(on_span, form);
             needs.of_form(form);
         }

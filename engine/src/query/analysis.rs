@@ -5,13 +5,12 @@ use std::collections::BTreeMap;
 
 use crate::claim::Claim;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
-use crate::generate;
-use crate::model::{Family, Library, Selected};
+use crate::expanded;
+use crate::model::{Family, Library};
 use crate::plural::count;
 use crate::source::{Files, Source, SourceId, Sources};
 use crate::state::{self, Prover, Run, Verdict};
 use crate::subject::Subject;
-use crate::theorem::theorems;
 
 /// The items of one version of a text, with the verdicts that are decided.
 #[derive(Debug)]
@@ -52,10 +51,8 @@ impl Analysis {
     pub fn new(files: &dyn Files, source: Source) -> Self {
         let library = Library::from_source(files, &Prover, source);
         let mut run = Run::default();
-        let families = run.expanding(&mut || library.items(Selected::EveryOrder));
-        let warnings = generate::no_floats(&families);
-        let theorems = run.expanding(&mut || theorems(&library));
-        let items = families.into_iter().chain(theorems).map(|item| Analysed {
+        let (items, warnings) = expanded(&library, &mut run);
+        let items = items.into_iter().map(|item| Analysed {
             subject: item.subject,
             claims: item.claims.into_iter().map(|claim| (claim, None)).collect(),
         });

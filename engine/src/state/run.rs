@@ -20,15 +20,15 @@ const CLAIM: u64 = 500;
 /// are nearly all about polynomials; together the rounds before the last one take a fifth of what that may take.
 const ROUNDS: [u64; 4] = [250_000, 1_000_000, 4_000_000, UNITS];
 
+/// Of a proof that took all the work there was for it.
+const IN_PARTS: &str = "the other claims have left too little work for it; check it in a spec of its own";
+
 /// Whether proofs are of the statements that are made again, with all the work of a claim alone, when a certificate is verified.
 fn is_of_its_statements(subject: &Subject, claim: &Claim, evidence: &Evidence) -> bool {
     let shown = evidence.steps().iter().map(|(_, proof)| proof.statement());
     super::statements(subject, claim, evidence.ways())
         .is_some_and(|all| shown.eq(all.iter().map(|stated| &stated.statement)))
 }
-
-/// Of a proof that took all the work there was for it.
-const IN_PARTS: &str = "the other claims have left too little work for it; check it in a spec of its own";
 
 /// The work that is left for the claims of a run. These are decided in rounds, so that a hard claim takes nothing from
 /// an easy one, wherever they stand.
@@ -134,6 +134,10 @@ mod tests {
     use crate::Item;
     use crate::{Library, Selected, Source};
 
+    fn library(spec: &str) -> Library<'static> {
+        Library::from_source(&crate::Disk, &crate::Prover, Source::text("run.basis", spec))
+    }
+
     fn decided(item: &Item, run: &mut Run) -> Vec<Verdict> {
         let item = item.clone();
         let checked = crate::decide_all(vec![item], run).remove(0);
@@ -145,7 +149,7 @@ mod tests {
         let hard = "prove (t^5 - t - x)^2 + (x^5 - x - 1/3)^2 + (t - x)^2 > 0;";
         let spec =
             format!("family F {{ domain 0 <= t <= 1; shape 0 < x <= 1; b[0] = t; {} }}", hard.repeat(9));
-        let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("hard.basis", &spec));
+        let library = library(&spec);
         let items = library.items(Selected::EveryOrder);
         let item = &items[0];
         let decide = |run: &mut Run| decided(item, run);
@@ -170,7 +174,7 @@ mod tests {
             prove dot(P[0], P[1])^2 <= dot(P[0], P[0])*dot(P[1], P[1]);
             prove dot(cross(P[0], P[1]), P[0]) == 0;
         }";
-        let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("large.basis", spec));
+        let library = library(spec);
         let item = &crate::theorem::theorems(&library)[0];
         let mut run = Run::default();
         let verdicts: Vec<_> = item.claims.iter().map(|c| run.decide(&item.subject, c)).collect();
@@ -202,8 +206,7 @@ mod tests {
         ] {
             let functions = format!("b[i] = (t + i/7)^{power} for i in 0..={last};");
             let spec = format!("family F {{ domain 0 <= t <= 1; {functions} {claim} }}");
-            let library =
-                Library::from_source(&crate::Disk, &crate::Prover, Source::text("family.basis", &spec));
+            let library = library(&spec);
             let mut run = Run::default();
             let item = run.expanding(&mut || library.items(Selected::EveryOrder)).remove(0);
             let (expanded, before) = (UNITS - run.left, run.left);
@@ -228,8 +231,7 @@ mod tests {
         };
         let taken = |budget: u32| {
             let spec = family(budget);
-            let library =
-                Library::from_source(&crate::Disk, &crate::Prover, Source::text("budget.basis", &spec));
+            let library = library(&spec);
             let item = library.items(Selected::EveryOrder).remove(0);
             let mut run = Run { left: 1_000_000 };
             let before = basis_prover::spent();
@@ -252,7 +254,7 @@ mod tests {
             prove b[0]^2*b[1] <= 9/100 + t^2/1000;
             prove b[0] >= 0;
         }";
-        let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("hard.basis", spec));
+        let library = library(spec);
         let items = library.items(Selected::EveryOrder);
         let item = &items[0];
         // Enough for the easy one and for the first rounds of the others.
@@ -286,7 +288,7 @@ mod tests {
             prove nonnegative;
             prove b[1] >= b[0];
         }";
-        let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("cut.basis", spec));
+        let library = library(spec);
         let (mut cut, mut proved) = (0, 0);
         for item in library.items(Selected::EveryOrder) {
             for claim in &item.claims {

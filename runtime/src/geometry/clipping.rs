@@ -441,7 +441,7 @@ impl<const D: usize> Plane<D> {
 
 /// Replaces the control points by those of a part, by de Casteljau's algorithm.
 #[inline(always)]
-fn restrict<const N: usize, const D: usize>(net: &mut Net<N, D>, [from, to]: [f64; 2]) {
+pub(super) fn restrict<const N: usize, const D: usize>(net: &mut Net<N, D>, [from, to]: [f64; 2]) {
     // The longer part comes first, so that the quotient is one of numbers that are not small.
     if to >= 1.0 - from {
         if to != 1.0 {

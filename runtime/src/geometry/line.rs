@@ -8,7 +8,7 @@
 //! ends on the line, is left to the search for curves of any form.
 
 use super::CurvePiece;
-use super::clipping::{Net, View, net, range, value_and_slope};
+use super::clipping::{Net, View, net, range, restrict, value_and_slope};
 use crate::Scalar;
 
 /// The most parts that are looked at, and the number of those that can be open at a time.
@@ -195,13 +195,7 @@ fn divided<const N: usize>(part: &Part<N>) -> [Part<N>; 2] {
     let middle = lo + DIVISION * (hi - lo);
     let (mut before, mut after) = (*part, *part);
     (before.range[1], after.range[0]) = (middle, middle);
-    for (left, right) in before.rows.iter_mut().zip(&mut after.rows) {
-        for (step, end) in left.iter_mut().enumerate().skip(1) {
-            for i in 0..N - step {
-                right[i] = (1.0 - DIVISION) * right[i] + DIVISION * right[i + 1];
-            }
-            *end = right[0];
-        }
-    }
+    restrict(&mut before.rows, [0.0, DIVISION]);
+    restrict(&mut after.rows, [DIVISION, 1.0]);
     [before, after]
 }

@@ -8,12 +8,12 @@ mod beside;
 mod identity;
 mod independent;
 mod point;
+mod powers;
 mod premises;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
 mod spans;
 mod total;
-mod touching;
 mod witness;
 
 use std::rc::Rc;
@@ -190,7 +190,7 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
             let (of, value) = if matches!(comparison, Comparison::Equal | Comparison::NotEqual) {
                 (of.clone(), value.clone())
             } else {
-                let powers = if plainly { None } else { touching::with_powers(family, value) };
+                let powers = if plainly { None } else { powers::with_powers(family, value) };
                 without_numbers(family, of.clone(), powers.unwrap_or_else(|| value.clone()))
             };
             let stated =
