@@ -27,8 +27,8 @@ pub(super) struct Given<'a> {
 pub(super) struct Known {
     /// By variable.
     pub(super) values: Vec<Rational>,
-    /// By variable, whether the value is rounded.
-    pub(super) rounded: Vec<bool>,
+    /// By variable, how far the value is at most from the one that is meant: 0 where it is not rounded.
+    pub(super) errors: Vec<Rational>,
     /// By variable, the value as it is typed.
     pub(super) typed: Vec<Option<String>>,
 }
@@ -49,10 +49,10 @@ pub(super) fn values(
         family,
         anyway,
         values: vec![None; width],
-        rounded: vec![false; width],
+        errors: vec![Rational::ZERO; width],
         typed: vec![None; width],
         meant: Vec::new(),
-        errors: Vec::new(),
+        found: Vec::new(),
     };
     table.numbers();
     for (role, given) in [(Role::Shape, shapes), (Role::At, at)] {
@@ -73,14 +73,29 @@ pub(super) fn values(
     table.miss(Role::Shape);
     table.miss(Role::At);
     table.assumed();
-    let Table { values, rounded, typed, errors, .. } = table;
-    if errors.is_empty() {
+    let Table { values, errors, typed, found, .. } = table;
+    if found.is_empty() {
         // Every variable of a formula is a shape parameter, a domain variable or a number, and none is missing.
         let values = values.into_iter().map(|value| value.unwrap_or(Rational::ZERO)).collect();
-        Ok(Known { values, rounded, typed })
+        Ok(Known { values, errors, typed })
     } else {
-        Err(errors)
+        Err(found)
     }
+}
+
+/// How far the value of a function is at most from the one at the values that are meant, each at most its error away: to first
+/// order the sum of the changes by each, here doubled. `None` at a pole.
+pub(super) fn spread(f: &Fraction, values: &[Rational], errors: &[Rational]) -> Option<Rational> {
+    let at = f.eval(values)?;
+    let mut sum = Rational::ZERO;
+    let mut moved = values.to_vec();
+    for k in (0..values.len()).filter(|&k| !errors[k].is_zero() && f.depends_on(Var(k))) {
+        moved[k] = &values[k] + &errors[k];
+        let change = &f.eval(&moved)? - &at;
+        sum = &sum + &(&change.abs() * &Rational::from(2));
+        moved[k].clone_from(&values[k]);
+    }
+    Some(sum)
 }
 
 /// How many variables there are, those of numbers such as π and of angles themselves included.
@@ -163,45 +178,46 @@ struct Table<'f> {
     /// By variable.
     values: Vec<Option<Rational>>,
     /// By variable.
-    rounded: Vec<bool>,
+    errors: Vec<Rational>,
     /// By variable.
     typed: Vec<Option<String>>,
     /// Names without a value that were probably meant where another name was typed.
     meant: Vec<&'f str>,
-    errors: Vec<Diagnostic>,
+    found: Vec<Diagnostic>,
 }
 
 impl Table<'_> {
-    fn set(&mut self, var: Var, value: Rational, rounded: bool) {
+    fn set(&mut self, var: Var, value: Rational, error: Rational) {
         self.values[var.0] = Some(value);
-        self.rounded[var.0] = rounded;
+        self.errors[var.0] = error;
     }
 
     /// The values of π, of powers of e, and of the tangent of a number.
     fn numbers(&mut self) {
         if let Some(var) = self.family.analytic.pi {
-            self.set(var, number::pi(), true);
+            self.set(var, number::pi(), number::precision());
         }
         if let Some((var, exponent)) = &self.family.analytic.exponential
             && let Some(power) = number::exp(exponent)
         {
-            self.set(*var, power, true);
+            let error = &power * &number::precision();
+            self.set(*var, power, error);
         }
         if let Some((var, angle)) = &self.family.analytic.tangent
-            && let Some((tangent, _)) = Number::rational(angle.clone()).tan()
+            && let Some((tangent, error)) = Number::rational(angle.clone()).tan()
         {
-            self.set(*var, tangent, true);
+            self.set(*var, tangent, error);
         }
     }
 
-    /// A function of what has a value, and whether it is rounded; `None` where it has none.
-    fn known(&self, f: &Fraction) -> Option<(Rational, bool)> {
+    /// A function of what has a value, and how far it is at most from the one that is meant; `None` where it has none.
+    fn known(&self, f: &Fraction) -> Option<(Rational, Rational)> {
         let known: Vec<Rational> = self.values.iter().map(|v| v.clone().unwrap_or(Rational::ZERO)).collect();
         let open = |k: &usize| f.depends_on(Var(*k));
         if (0..known.len()).filter(open).any(|k| self.values[k].is_none()) {
             return None;
         }
-        Some((f.eval(&known)?, (0..known.len()).filter(open).any(|k| self.rounded[k])))
+        Some((f.eval(&known)?, spread(f, &known, &self.errors)?))
     }
 
     /// Puts in what was typed for one name.
@@ -217,16 +233,16 @@ impl Table<'_> {
                 Role::Shape => "give it one value; several are written in steps, as in --shape λ=0..1:1/4",
                 Role::At => "give it one value",
             };
-            self.errors.push(error(message).help(help));
+            self.found.push(error(message).help(help));
             return;
         }
         self.typed[var.0] = Some(format!("{name} = {value}"));
         let inner = match family.analytic.angle(var) {
-            None => Some((value.value(), value.exact().is_none())),
+            None => Some((value.value(), value.error())),
             Some(angle) if tangent => {
                 let known = value.value();
                 self.itself(angle, &known);
-                Some((known, value.exact().is_none()))
+                Some((known, value.error()))
             }
             Some(angle) => self.inner(angle, value),
         };
@@ -235,13 +251,11 @@ impl Table<'_> {
             Role::Shape if tangent => parameter.range.display(name).to_string(),
             Role::Shape => family.declared(parameter),
         };
-        let inside = inner.as_ref().is_some_and(|(x, rounded)| {
-            let slack = if *rounded { Rational::from(10).pow(40).recip() } else { None };
-            let slack = slack.unwrap_or(Rational::ZERO);
-            [x.clone(), x + &slack, x - &slack].iter().any(|x| parameter.range.contains(x))
+        let inside = inner.as_ref().is_some_and(|(x, error)| {
+            [x.clone(), x + error, x - error].iter().any(|x| parameter.range.contains(x))
         });
         // Where the domain ends at a shape parameter with a wrong value, that is the mistake.
-        let follows = role == Role::At && !self.errors.is_empty() && family.analytic.angle(var).is_some();
+        let follows = role == Role::At && !self.found.is_empty() && family.analytic.angle(var).is_some();
         if !follows && (inner.is_none() || !inside && !self.anyway) {
             let message = match family.analytic.angle(var).map(|angle| angle.kind) {
                 Some(Kind::Hyperbolic) if inner.is_none() && !tangent => {
@@ -258,24 +272,25 @@ impl Table<'_> {
                 _ => format!("choose a value inside: {} {name}={}", role.flag(), inside_of(parameter)),
             };
             let anyway = if inner.is_some() { "; --anyway evaluates outside as well" } else { "" };
-            self.errors.push(error(message).help(format!("{choice}{anyway}")));
+            self.found.push(error(message).help(format!("{choice}{anyway}")));
         }
-        let (value, rounded) = inner.unwrap_or((Rational::ZERO, false));
-        self.set(var, value, rounded);
+        let (value, error) = inner.unwrap_or((Rational::ZERO, Rational::ZERO));
+        self.set(var, value, error);
     }
 
     /// The variable y that stands for an angle, and the angle itself; `None` where it has no tangent.
-    fn inner(&mut self, angle: &Angle, value: &Number) -> Option<(Rational, bool)> {
+    fn inner(&mut self, angle: &Angle, value: &Number) -> Option<(Rational, Rational)> {
         let phase = value.phase(&angle.rate, angle.turns, &angle.shift);
-        let (x, rounded) = match angle.kind {
+        let (x, error) = match angle.kind {
             Kind::Circular => phase.tan()?,
             Kind::Hyperbolic => phase.tanh()?,
-            Kind::Linear => (value.value(), value.exact().is_none()),
+            Kind::Linear => (value.value(), value.error()),
         };
-        self.set(angle.itself, value.value(), value.exact().is_none());
-        let ((low, a), (width, b)) = (self.known(&angle.low)?, self.known(&angle.width)?);
+        self.set(angle.itself, value.value(), value.error());
+        let ((low, of_low), (width, of_width)) = (self.known(&angle.low)?, self.known(&angle.width)?);
         let y = (&x - &low).checked_div(&width)?;
-        Some((y, rounded || a || b))
+        let sum = &(&error + &of_low) + &(&y.abs() * &of_width);
+        Some((y, sum.checked_div(&width.abs())?))
     }
 
     /// The angle of which y is given.
@@ -285,20 +300,22 @@ impl Table<'_> {
         };
         let x = &low + &(&width * y);
         if angle.kind == Kind::Linear {
-            return self.set(angle.itself, x, false);
+            return self.set(angle.itself, x, Rational::ZERO);
         }
         let hyperbolic = angle.kind == Kind::Hyperbolic;
         let Some(phase) = number::inverse(&x, hyperbolic) else { return };
         let shift = if angle.turns { angle.shift.clone() } else { &angle.shift * &number::pi() };
         let rate = if angle.turns { &angle.rate * &number::pi() } else { angle.rate.clone() };
         if let Some(s) = phase.checked_div(&rate) {
-            self.set(angle.itself, &s + &shift, !x.is_zero() || !shift.is_zero());
+            let sum = &s + &shift;
+            let error = &(&s.abs() + &shift.abs()) * &number::precision();
+            self.set(angle.itself, sum, error);
         }
     }
 
     /// What is assumed of the shape parameters holds.
     fn assumed(&mut self) {
-        if self.anyway || !self.errors.is_empty() {
+        if self.anyway || !self.found.is_empty() {
             return;
         }
         let family = self.family;
@@ -311,7 +328,7 @@ impl Table<'_> {
         let given: Vec<&str> = given.filter_map(|p| self.typed[p.var.0].as_deref()).collect();
         let message = format!("{} is outside of what is assumed: `{}`", given.join(", "), broken.text);
         let help = "choose values that satisfy it; --anyway evaluates outside as well";
-        self.errors.push(error(message).help(help));
+        self.found.push(error(message).help(help));
     }
 
     /// A name that the family does not have, and what is probably meant.
@@ -325,7 +342,7 @@ impl Table<'_> {
             self.meant
                 .extend(family.shapes.iter().filter(|p| by.depends_on(p.var)).map(|p| written(family, p)));
             let message = format!("`{name}` follows from the other shape parameters");
-            self.errors.push(error(message).help(format!("give those instead: `{name}` is {value}")));
+            self.found.push(error(message).help(format!("give those instead: `{name}` is {value}")));
             return;
         }
         let (own, others) = (role.names(self.family), role.other().names(self.family));
@@ -341,7 +358,7 @@ impl Table<'_> {
             (_, _, several) => format!("the {noun}s are {}", name::list(several)),
         };
         let message = format!("`{name}` is not a {noun} of `{}`", self.family.title());
-        self.errors.push(error(message).help(help));
+        self.found.push(error(message).help(help));
     }
 
     /// On a simplex the barycentric coordinates are not negative and sum to 1; one of them may be left out.
@@ -368,19 +385,19 @@ impl Table<'_> {
                 let help = format!(
                     "barycentric coordinates sum to 1; leave out {last}, which follows from the others"
                 );
-                self.errors.push(error(message).help(help));
+                self.found.push(error(message).help(help));
             }
             [last] if !self.meant.contains(&last.name.as_str()) => {
-                if rest.is_negative() && self.errors.is_empty() && !self.anyway {
+                if rest.is_negative() && self.found.is_empty() && !self.anyway {
                     let message = format!(
                         "{} = {rest} is outside of the domain `{}`",
                         last.name,
                         domain::describe(family)
                     );
                     let help = format!("no barycentric coordinate is negative, and {sum} = 1");
-                    self.errors.push(error(message).help(help));
+                    self.found.push(error(message).help(help));
                 }
-                self.set(last.var, rest, false);
+                self.set(last.var, rest, Rational::ZERO);
             }
             _ => {}
         }
@@ -410,7 +427,7 @@ impl Table<'_> {
                 let range = family.declared(parameter);
                 format!("add {flag} {name}={}, or another value with `{range}`", inside_of(parameter))
             };
-            self.errors.push(error(format!("the {noun} `{name}` has no value")).help(help));
+            self.found.push(error(format!("the {noun} `{name}` has no value")).help(help));
         }
     }
 }

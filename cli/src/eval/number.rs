@@ -24,6 +24,12 @@ pub(super) fn pi() -> Rational {
     rational::parse(PI).unwrap_or(Rational::ZERO)
 }
 
+/// A rounded number differs from the one that is meant by less than this times itself, a tangent t by less than this times
+/// 1 + t², a hyperbolic one by less than this times 1 − |t|.
+pub(super) fn precision() -> Rational {
+    Rational::from(10).pow(50).recip().unwrap_or(Rational::ZERO)
+}
+
 impl Number {
     /// The number that a text such as `-1/3`, `0.62`, `pi/2` or `2*pi/3` stands for.
     pub(crate) fn parse(text: &str) -> Option<Self> {
@@ -60,6 +66,12 @@ impl Number {
     /// The number, rounded if it is not rational.
     pub(crate) fn value(&self) -> Rational {
         if self.turns.is_zero() { self.rational.clone() } else { &self.rational + &(&self.turns * &pi()) }
+    }
+
+    /// How far the value is at most from the number.
+    pub(super) fn error(&self) -> Rational {
+        // π is written with 62 digits.
+        &self.turns.abs() * &precision()
     }
 
     /// How many of these steps there are from one number to another, fewer than 0 from a greater one to a smaller one.
@@ -118,15 +130,15 @@ impl Number {
         Self { rational: rate * &self.rational, turns: rate * &(&self.turns - shift) }
     }
 
-    /// The tangent, and whether it is rounded: of multiples of π/4 it is not; `None` where there is none.
-    pub(super) fn tan(&self) -> Option<(Rational, bool)> {
+    /// The tangent, and how far it is at most from the true one, 0 at multiples of π/4; `None` where there is none.
+    pub(super) fn tan(&self) -> Option<(Rational, Rational)> {
         if self.rational.is_zero() {
             let quarters = &self.turns * &Rational::from(4);
             match quarters.to_i64().map(|q| q.rem_euclid(4)) {
-                Some(0) => return Some((Rational::ZERO, false)),
-                Some(1) => return Some((Rational::ONE, false)),
+                Some(0) => return Some((Rational::ZERO, Rational::ZERO)),
+                Some(1) => return Some((Rational::ONE, Rational::ZERO)),
                 Some(2) => return None,
-                Some(_) => return Some((Rational::from(-1), false)),
+                Some(_) => return Some((Rational::from(-1), Rational::ZERO)),
                 None => {}
             }
         }
@@ -134,14 +146,19 @@ impl Number {
         let turns = (&self.value() * &pi().recip()?).floor();
         let x = &self.value() - &(&turns * &pi());
         let (sin, cos) = series(&x, -1);
-        Some((rounded(&sin.checked_div(&cos)?), true))
+        let tangent = rounded(&sin.checked_div(&cos)?);
+        // The terms of sin x have their digits for small x too, if nothing was taken from x.
+        let scale =
+            if self.turns.is_zero() && turns.is_zero() { x.abs().min(Rational::ONE) } else { Rational::ONE };
+        let error = &(&Rational::ONE + &(&tangent * &tangent)) * &(&scale * &precision());
+        Some((tangent, error))
     }
 
-    /// The hyperbolic tangent, and whether it is rounded.
-    pub(super) fn tanh(&self) -> Option<(Rational, bool)> {
+    /// The hyperbolic tangent, and how far it is at most from the true one.
+    pub(super) fn tanh(&self) -> Option<(Rational, Rational)> {
         let x = self.value();
         if x.is_zero() {
-            return Some((Rational::ZERO, false));
+            return Some((Rational::ZERO, Rational::ZERO));
         }
         // tanh |x| = (e^2|x| − 1)/(e^2|x| + 1) = 1 − 2/(e^2|x| + 1); next to 1 it is the distance that has to have its digits.
         let square = exp(&(&x + &x).abs())?;
@@ -151,7 +168,8 @@ impl Number {
         } else {
             rounded(&(&square - &Rational::ONE).checked_div(&sum)?)
         };
-        Some((if x.is_negative() { -&size } else { size }, true))
+        let error = &(&Rational::ONE - &size) * &precision();
+        Some((if x.is_negative() { -&size } else { size }, error))
     }
 }
 
@@ -275,7 +293,7 @@ mod tests {
     #[test]
     fn functions_to_many_digits() {
         let of = |text: &str| Number::parse(text).expect("a number");
-        assert_eq!(of("pi/4").tan(), Some((Rational::ONE, false)));
+        assert_eq!(of("pi/4").tan(), Some((Rational::ONE, Rational::ZERO)));
         assert_eq!(of("pi/2").tan(), None);
         near(&of("pi/3").tan().expect("there is one").0, "1.7320508075688772935274463415058723669428");
         near(&of("4*pi/3").tan().expect("there is one").0, "1.7320508075688772935274463415058723669428");

@@ -122,7 +122,19 @@ impl Point {
 
     /// Whether the value of a function at the point is rounded.
     pub(super) fn is_rounded(&self, f: &Fraction) -> bool {
-        (0..self.known.rounded.len()).any(|k| self.known.rounded[k] && f.depends_on(Var(k)))
+        (0..self.known.errors.len()).any(|k| !self.known.errors[k].is_zero() && f.depends_on(Var(k)))
+    }
+
+    /// The value of a function at the point: 0 where only the rounding errors of terms that cancel are left. `None` at a pole.
+    pub(super) fn value(&self, f: &Fraction) -> Option<Rational> {
+        let value = f.eval(self.values())?;
+        // Larger values are far above the errors, which are not worth finding.
+        let small = Rational::from(10).pow(20).recip()?;
+        if value.is_zero() || value.abs() > small || !self.is_rounded(f) {
+            return Some(value);
+        }
+        let spread = assign::spread(f, self.values(), &self.known.errors)?;
+        Some(if value.abs() <= spread { Rational::ZERO } else { value })
     }
 
     /// The values of some parameters, such as `λ = 1/2, t = 1/3`.

@@ -100,17 +100,11 @@ impl Values {
         let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
         let mut tables = Vec::new();
         let mut points = Vec::new();
-        let tiny = Rational::from(10).pow(40).recip().unwrap_or(Rational::ZERO);
         for derivative in all {
             let mut table = Vec::new();
             for (k, (label, f)) in labels.iter().zip(&derivative.functions).enumerate() {
                 let rounded = point.is_rounded(f) || point.is_rounded(&family.functions[k].value);
-                let mut value = f.eval(point.values())?;
-                if rounded && value.abs() < tiny {
-                    // What is left of terms that cancel.
-                    value = Rational::ZERO;
-                }
-                let cell = Cell { value, rounded: rounded && !f.is_zero() };
+                let cell = Cell { value: point.value(f)?, rounded: rounded && !f.is_zero() };
                 table.push((key(family, label, &derivative.orders), cell));
             }
             if !control.is_empty() {

@@ -256,6 +256,38 @@ fn evaluated_at_angles() {
     assert!(run.stderr.contains("t = 4 is outside of the domain `0 <= t <= h`"), "{}", run.stderr);
 }
 
+/// Small values are not taken for what is left of terms that cancel, and these not for values.
+#[test]
+fn small_values_have_digits_and_cancelled_terms_have_none() {
+    let spec = "family E { domain 0 <= t <= 200; b[0] = exp(-t); b[1] = exp(-t) - exp(-200); }
+        family S { domain 0 <= t <= pi; b[0] = sin(t)^20; b[1] = 1 + cos(t); b[2] = 1 - cos(t)^2 - sin(t)^2; }
+        family H { shape 0 < α; domain 0 <= t <= α; b[0] = (cosh(t) - 1)/(cosh(α) - 1); b[1] = exp(t) - exp(α); }";
+    let folder = Folder::with("s.basis", spec);
+    let value = |family: &str, function: &str, at: &[&str]| -> f64 {
+        let run = folder.run(&[&["eval", "s.basis", family, "--format", "json"], at].concat());
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{family} {at:?}");
+        run.json()["values"][function].as_str().expect("a value").parse().expect("a decimal")
+    };
+    let near =
+        |value: f64, expected: f64| assert!((value / expected - 1.0).abs() < 1e-13, "{value:e} {expected:e}");
+    near(value("E", "b[0]", &["--at", "t=100"]), (-100.0_f64).exp());
+    near(value("E", "b[1]", &["--at", "t=199"]), (-199.0_f64).exp() * (-(-1.0_f64).exp_m1()));
+    near(value("S", "b[0]", &["--at", "t=1/100000"]), 1e-5_f64.sin().powi(20));
+    near(
+        value("H", "b[0]", &["--shape", "α=300", "--at", "t=1"]),
+        (1.0_f64.cosh() - 1.0) / (300.0_f64.cosh() - 1.0),
+    );
+    for (family, function, at) in [
+        ("E", "b[1]", ["--at", "t=200"].as_slice()),
+        ("S", "b[1]", &["--at", "t=pi"]),
+        ("S", "b[2]", &["--at", "t=1/100000"]),
+        ("H", "b[1]", &["--shape", "α=300", "--at", "t=300"]),
+        ("H", "b[1]", &["--shape", "α=pi", "--at", "t=pi"]),
+    ] {
+        assert_eq!(value(family, function, at).to_bits(), 0, "{family} {function} {at:?}");
+    }
+}
+
 #[test]
 fn certificates() {
     let spec = [QUARTER, UNIT, END, HYPERBOLIC].concat();
