@@ -237,12 +237,31 @@ fn lengths() {
         Curve::new(Bernstein::new(), shifted(i).map(|[x, y, _]| [x, y])).arclen(ACCURACY)
     });
     row("arc length to 1e-9", "kurbo, f64 2D", &race(CURVES, vec![peer, ours]));
+    let random = random_cubics();
+    let peer = each(&numbers, 0.0, |i| {
+        let [a, b, c, d] = random[i].map(|[x, y]| kurbo::Point::new(x, y));
+        CubicBez::new(a, b, c, d).arclen(ACCURACY)
+    });
+    let ours = each(&numbers, 0.0, |i| Curve::new(Bernstein::new(), random[i]).arclen(ACCURACY));
+    row("arc length to 1e-9, random cubics", "kurbo, f64 2D", &race(CURVES, vec![peer, ours]));
     let peer = each(&numbers, 0.0, |i| {
         let curve = curvo::prelude::NurbsCurve3D::<f64>::bezier(&shifted(i).map(nalgebra::Point3::from));
         curve.try_length().expect("a length")
     });
     let ours = each(&numbers, 0.0, |i| Curve::new(Bernstein::new(), shifted(i)).arclen(ACCURACY));
     row("arc length to 1e-9", "curvo, f64 3D (19 nodes, no bound)", &race(CURVES, vec![peer, ours]));
+}
+
+/// With control points in a square, by a generator that is the same everywhere.
+fn random_cubics() -> Vec<[[f64; 2]; 4]> {
+    let mut state = 0x2545_F491_4F6C_DD1D_u64;
+    let mut coordinate = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    (0..CURVES).map(|_| [(); 4].map(|()| [coordinate(), coordinate()])).collect()
 }
 
 fn nearest() {

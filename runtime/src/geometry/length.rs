@@ -5,7 +5,7 @@
 //! is larger than `(ρʲ + ρ⁻ʲ)/2`; with `κ` the sum of `|cj|` times that, over `c0`, neither is `|q|` larger than
 //! `c0 (1 + κ)`, and if `κ < 1` it has no zero there; likewise `|w|` is at least `d0 (1 - κ')`. So the speed is analytic
 //! inside of the ellipse and has a known bound, and with it the error of the Gauss–Legendre rule with `n` nodes is at
-//! most `8 max|speed| ρ / (ρ - 1) ρ^(-2n)`; see `curve/length` for the source. Pieces for which no rule is good enough
+//! most `64/15 max|speed| ρ^(-2n) / (1 - ρ⁻²)`; see `curve/length` for the source. Pieces for which no rule is good enough
 //! are halved; those next to a cusp end when chord and control polygon agree.
 
 use alloc::vec::Vec;
@@ -272,7 +272,7 @@ impl Cosines {
             if kq < 1.0 && kw < 1.0 {
                 let least = w[0] * (1.0 - kw);
                 let largest = 0.5 * Scalar::sqrt(q[0] * (1.0 + kq)) / (least * least);
-                let mut error = 8.0 * largest * rho / (rho - 1.0);
+                let mut error = 64.0 / 15.0 * largest / (1.0 - 1.0 / (rho * rho));
                 let mut nodes = 0;
                 for rule in &RULES {
                     while nodes < rule.len() {

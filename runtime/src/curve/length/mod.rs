@@ -4,15 +4,17 @@
 //! `q = c0 (1 + c1 T1(z) + c2 T2(z) + …)`. On the Bernstein ellipse of the parameter `ρ` no `|Tj|` is larger than
 //! `(ρʲ + ρ⁻ʲ)/2`; with `κ = Σ_{j≥1} |cj| (ρʲ + ρ⁻ʲ)/2` no `|q|` is larger than `c0 (1 + κ)`. If `q` has no zero there,
 //! the speed `√q` continues to an analytic function and the Gauss–Legendre rule with `n` nodes has an error of at most
-//! `8 √(c0 (1 + κ)) ρ / (ρ - 1) ρ^(-2n)` (from the best approximation of degree `2n - 1`; Trefethen, *Approximation
-//! Theory and Approximation Practice*, theorems 8.2 and 19.3).
+//! `64/15 M ρ^(-2n) / (1 - ρ⁻²)` with `M = √(c0 (1 + κ))`: the coefficient of `Tj` in its Chebyshev series is at most
+//! `2 M ρ⁻ʲ`, and the rule integrates all `Tj` exactly but those with even `j >= 2n`, for which it errs by at most
+//! `2 + 2/(j² - 1) <= 32/15` (Trefethen, *Approximation Theory and Approximation Practice*, theorems 8.1 and 19.3).
 //!
 //! There is no zero if `κ < 1`. That test is sharper for `q(z) q(-z)`, a polynomial in `y = T2(z)` of the same kind,
 //! whose ellipse has the parameter `ρ²` (Graeffe's method). Pieces for which no rule is good enough are halved; next to
 //! a cusp, where no test succeeds, pieces end when chord and control polygon agree to within the accuracy, or when
-//! nothing is left but rounding errors.
+//! nothing is left but rounding errors. The zeros of plane curves of low degree [have a formula](plane).
 
 mod hodograph;
+mod plane;
 mod powers;
 mod quadrature;
 mod series;
@@ -138,6 +140,10 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     fn length(&self, accuracy: B::Scalar, rules: Rules) -> B::Scalar {
         let Some(whole) = self.prepare(accuracy, rules) else { return B::Scalar::NAN };
         let unit = whole.unit;
+        if P::DIM <= 2 && B::DEGREE <= plane::HIGHEST_DEGREE && rules == Rules::First {
+            let Piece { points, accuracy, noise, .. } = &whole.piece;
+            return plane::length(points.as_ref(), *accuracy, *noise) * unit;
+        }
         // Most curves are one smooth piece.
         if B::DEGREE <= MOST_POWERS && rules == Rules::First {
             let square = SquaredSpeed::<B>::of(whole.piece.points);

@@ -29,7 +29,7 @@ static RADII: [[[f64; ELLIPSES.len()]; 2]; 3] = {
     radii
 };
 
-/// `8 ρ / (ρ - 1) ρ^(-2n)` for each ellipse and the number of nodes `n` of each rule.
+/// `64/15 ρ^(-2n) / (1 - ρ⁻²)` for each ellipse and the number of nodes `n` of each rule.
 static FACTORS: [[f64; RULES.len()]; ELLIPSES.len()] = {
     let mut factors = [[0.0; RULES.len()]; ELLIPSES.len()];
     let mut e = 0;
@@ -37,7 +37,7 @@ static FACTORS: [[f64; RULES.len()]; ELLIPSES.len()] = {
         let rho = ELLIPSES[e];
         let mut r = 0;
         while r < RULES.len() {
-            let mut factor = 8.0 * rho / (rho - 1.0);
+            let mut factor = 64.0 / 15.0 / (1.0 - 1.0 / (rho * rho));
             let mut n = 0;
             while n < RULES[r].len() {
                 factor /= rho * rho;
@@ -80,7 +80,7 @@ const FIRST: usize = 4;
 /// On such an ellipse the square of the speed may be as many times its mean.
 const MOST: f64 = 8.0;
 
-/// For the first rules the smallest `ρ` with `8 ρ / (ρ - 1) ρ^(-2n) <= 2⁻ᵏ`, one row for each `k`.
+/// For the first rules the smallest `ρ` with `64/15 ρ^(-2n) / (1 - ρ⁻²) <= 2⁻ᵏ`, one row for each `k`.
 static RHO: [[f64; FIRST]; 64] = {
     let mut all = [[0.0; FIRST]; 64];
     let mut k = 0;
@@ -102,7 +102,7 @@ static RHO: [[f64; FIRST]; 64] = {
                     power *= sixteenth;
                     m += 8;
                 }
-                if 8.0 * rho <= wanted * (rho - 1.0) * power {
+                if 64.0 <= 15.0 * wanted * (1.0 - 1.0 / (rho * rho)) * power {
                     high = rho;
                 } else {
                     low = rho;

@@ -76,6 +76,41 @@ fn random_curves_in_space() {
     }
 }
 
+/// By the zeros of the velocity, against the same curve in space: random ones, and such with cusps, turns, double points and
+/// equal control points, a little disturbed.
+#[test]
+fn plane_curves_as_those_in_space() {
+    fn agree<const N: usize>(points: [[f64; 2]; N]) {
+        let size = points.as_flattened().iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let space = Bezier::from_points(points.map(|[x, y]| [x, y, 0.0]));
+        for accuracy in [1e-2, 1e-6, 1e-10, 1e-13] {
+            let accuracy: f64 = accuracy * size;
+            let [plane, space] = [Bezier::from_points(points).arclen(accuracy), space.arclen(accuracy)];
+            let rounding = 16.0 * f64::EPSILON * (plane + size);
+            assert!(
+                (plane - space).abs() <= 2.0 * accuracy + rounding,
+                "{plane} {space} {accuracy} {points:?}"
+            );
+        }
+    }
+    let random = &mut Random::new(52);
+    for round in 0..600 {
+        let unit = [1.0, 1e-150, 1e150][round % 3];
+        let disturbance = [0.0, 1e-12, 1e-8, 1e-4, 1.0][round % 5];
+        let mut coordinate = || {
+            unit * (random.between::<f64>(-3.0, 3.0).round() + disturbance * random.between::<f64>(-1.0, 1.0))
+        };
+        let [a, b, c, d] = [(); 4].map(|()| [coordinate(), coordinate()]);
+        agree([a, b]);
+        agree([a, b, c]);
+        agree([a, b, c, d]);
+        // There and back, and all on a line.
+        agree([a, b, b, a]);
+        agree([a, b, a]);
+        agree([a, b, c, d].map(|[x, _]| [x, x]));
+    }
+}
+
 /// The rule for a whole curve against the sum of 64 short parts, for which any rule is good.
 #[test]
 fn every_degree_and_accuracy() {
