@@ -15,4 +15,5 @@ mod related;
 mod rendering;
 #[path = "../support/mod.rs"]
 mod support;
+mod touching;
 mod verdicts;

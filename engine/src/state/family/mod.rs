@@ -187,21 +187,22 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
                 Enough::Unknown | Enough::Itself => {}
             }
             let plainly = matches!(saying, Saying::Plainly);
-            let (of, value) = if matches!(comparison, Comparison::Equal | Comparison::NotEqual) {
-                (of.clone(), value.clone())
-            } else {
-                let powers = if plainly { None } else { powers::with_powers(family, value) };
-                without_numbers(family, of.clone(), powers.unwrap_or_else(|| value.clone()))
-            };
-            let stated =
-                Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
-            let Some(enough) = premises::without(&stated.statement).filter(|_| !plainly) else {
-                all.push(Said { stated, of, piece: part.0.clone() });
-                continue;
-            };
-            for statement in enough {
-                let stated = Stated { statement, is_stronger: true, ..stated.clone() };
-                all.push(Said { stated, of: of.clone(), piece: part.0.clone() });
+            let is_sign = !matches!(comparison, Comparison::Equal | Comparison::NotEqual);
+            let powers = if plainly || !is_sign { None } else { powers::enough(family, of, value) };
+            let in_parts = powers.as_ref().is_some_and(|all| all.len() > 1);
+            for (of, value) in powers.unwrap_or_else(|| vec![(of.clone(), value.clone())]) {
+                let (of, value) = if is_sign { without_numbers(family, of, value) } else { (of, value) };
+                let stated =
+                    Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
+                let stated = Stated { is_stronger: in_parts, ..stated };
+                let Some(enough) = premises::without(&stated.statement).filter(|_| !plainly) else {
+                    all.push(Said { stated, of, piece: part.0.clone() });
+                    continue;
+                };
+                for statement in enough {
+                    let stated = Stated { statement, is_stronger: true, ..stated.clone() };
+                    all.push(Said { stated, of: of.clone(), piece: part.0.clone() });
+                }
             }
         }
     }
