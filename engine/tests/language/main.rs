@@ -2,6 +2,7 @@
 
 mod assumed;
 mod beside;
+mod chebyshev;
 mod ends_at_sums;
 mod finer_parts;
 mod integrals;

@@ -228,7 +228,7 @@ pub(in crate::state::family) fn proved_at_once(family: &Family, claim: &Claim) -
     }
     let mut stated = Some(stated);
     let shown = within(AT_ONCE, &mut || all(stated.take()?, family.budget).ok())?;
-    Some(Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)))
+    Some(Verdict::Proved(Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways)))
 }
 
 /// The rows with all numbers between their bounds in place of parameters beside their sines; `None` where there is no such
