@@ -70,11 +70,13 @@ impl Run {
         let units = ROUNDS.get(round)?.saturating_mul(budget).min(share);
         let mut decide = || cut_short_within(units, &mut || super::decide(subject, claim));
         let (verdict, is_cut) = self.counted(&mut decide);
-        // A counterexample is checked by itself. A proof may be of other statements than those that the claim alone makes.
+        // A counterexample is checked by itself. A proof may be of other statements than those that the claim alone makes, where
+        // something went without work; where statements have been searched for they are made again in any case.
         match &verdict {
             Verdict::Refuted(_) => Some(verdict),
             Verdict::Proved(evidence)
-                if self.counted(&mut || is_of_its_statements(subject, claim, evidence)) =>
+                if !is_cut && evidence.ways().is_empty()
+                    || self.counted(&mut || is_of_its_statements(subject, claim, evidence)) =>
             {
                 Some(verdict)
             }
