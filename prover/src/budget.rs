@@ -33,6 +33,8 @@ thread_local! {
     static SHARE: Cell<u64> = const { Cell::new(u64::MAX) };
     /// How many decisions the ceilings have cut short.
     static CUTS: Cell<u64> = const { Cell::new(0) };
+    /// Whether the innermost `working` has less work than usual.
+    static IS_SHORT: Cell<bool> = const { Cell::new(false) };
 }
 
 /// How many times its share of the work a claim may take in one check of a proof that was found.
@@ -109,7 +111,27 @@ pub(crate) fn charge_refused(units: u64) {
 
 /// Does work that belongs to a decision, such as expanding what is to be decided, with `budget` times the usual work.
 pub fn working<T>(budget: u32, work: &mut dyn FnMut(&mut Work) -> T) -> T {
-    work(&mut Budget::scaled(budget).work)
+    working_on(Budget::scaled(budget), work)
+}
+
+/// The same with a number of units, whatever the budget is.
+pub fn working_with<T>(units: u64, work: &mut dyn FnMut(&mut Work) -> T) -> T {
+    working_on(Budget::of(units), work)
+}
+
+fn working_on<T>(mut budget: Budget, work: &mut dyn FnMut(&mut Work) -> T) -> T {
+    let outer = IS_SHORT.replace(budget.is_short);
+    let result = work(&mut budget.work);
+    IS_SHORT.set(outer);
+    result
+}
+
+/// Counts that something is done less often than it may be because of the work that is left: with the usual work it may come
+/// to something else, although nothing is asked for that is not there.
+pub fn done_less_often() {
+    if IS_SHORT.get() {
+        CUTS.set(CUTS.get() + 1);
+    }
 }
 
 impl Drop for Budget {
@@ -131,9 +153,11 @@ impl Default for Budget {
 impl Budget {
     /// The usual work times a factor, or what is left of the work within which it is done.
     pub fn scaled(factor: u32) -> Self {
-        let left = CEILING.get().saturating_sub(spent());
-        let usual = UNITS.saturating_mul(u64::from(factor));
-        let units = usual.min(left);
+        Self::of(UNITS.saturating_mul(u64::from(factor)))
+    }
+
+    fn of(usual: u64) -> Self {
+        let units = usual.min(CEILING.get().saturating_sub(spent()));
         Self { work: Work::new(units), disabled: Vec::new(), units, is_short: units < usual }
     }
 
@@ -153,15 +177,68 @@ impl Budget {
         self.work.left()
     }
 
-    /// Takes out a part for a method that may fail.
+    /// Takes out a number of units for a method that may fail, or all that is left.
     pub(super) fn take(&mut self, units: u64) -> Self {
         let part = self.left().min(units);
-        let _ = self.work.spend(part);
-        Self { work: Work::new(part), disabled: self.disabled.clone(), units: 0, is_short: false }
+        self.part(part, part < units)
+    }
+
+    /// The same with some of sixteen parts of what is left: of less than usual it is less.
+    pub(super) fn take_sixteenths(&mut self, parts: u64) -> Self {
+        self.part(self.left() / 16 * parts, true)
+    }
+
+    /// A part counts as cut short when it is used up, if the whole has less than usual and therefore the part.
+    fn part(&mut self, units: u64, depends_on_the_whole: bool) -> Self {
+        let _ = self.work.spend(units);
+        let is_short = self.is_short && depends_on_the_whole;
+        Self { work: Work::new(units), disabled: self.disabled.clone(), units: 0, is_short }
     }
 
     /// Puts back what a part has left over.
     pub(super) fn put_back(&mut self, part: &Self) {
         self.work = Work::new(self.left().saturating_add(part.left()));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether something that uses up a part of a budget counts as cut short within some units.
+    fn is_cut(units: u64, part: fn(&mut Budget) -> Budget) -> bool {
+        let mut work = || {
+            let mut budget = Budget::default();
+            let mut part = part(&mut budget);
+            let units = part.left();
+            assert!(part.work.spend(units + 1).is_none());
+            budget.put_back(&part);
+        };
+        cut_short_within(units, &mut work).1
+    }
+
+    #[test]
+    fn parts_of_a_short_budget_are_short() {
+        let quarter = |budget: &mut Budget| budget.take_sixteenths(4);
+        assert!(is_cut(UNITS / 2, quarter));
+        assert!(!is_cut(2 * UNITS, quarter));
+        assert!(is_cut(UNITS / 2, |budget| budget.take_sixteenths(8).take_sixteenths(8)));
+    }
+
+    /// What a number of units is not enough for, they are not enough for with all the work there is.
+    #[test]
+    fn parts_of_fixed_size_are_short_where_there_is_less() {
+        let some = |budget: &mut Budget| budget.take(50_000);
+        assert!(is_cut(40_000, some));
+        assert!(!is_cut(60_000, some));
+    }
+
+    #[test]
+    fn what_is_done_less_often_counts_where_work_is_short() {
+        let is_cut = |units: u64| cut_short_within(units, &mut || working(1, &mut |_| done_less_often())).1;
+        assert!(is_cut(UNITS / 2));
+        assert!(!is_cut(2 * UNITS));
+        assert!(cut_short_within(10, &mut || working_with(20, &mut |work| work.spend(15))).1);
+        assert!(!cut_short_within(30, &mut || working_with(20, &mut |work| work.spend(25))).1);
     }
 }

@@ -19,7 +19,9 @@ mod tests;
 mod zero_free;
 
 pub use basis_kernel::{Proof, Refutation};
-pub use budget::{Budget, charge, cut_short_within, measured, spent, within, working};
+pub use budget::{
+    Budget, charge, cut_short_within, done_less_often, measured, spent, within, working, working_with,
+};
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute};
 pub use decide::{Failure, Shown, decide, minor_signs, pull_back, simple};

@@ -70,14 +70,17 @@ impl Run {
         let units = ROUNDS.get(round)?.saturating_mul(budget).min(share);
         let mut decide = || cut_short_within(units, &mut || super::decide(subject, claim));
         let (verdict, is_cut) = self.counted(&mut decide);
-        if !is_cut {
-            return Some(verdict);
-        }
-        // Something went without work, so that a proof may be of other statements than those that the claim alone makes. A
-        // counterexample is checked by itself.
+        // A counterexample is checked by itself. A proof may be of other statements than those that the claim alone makes, where
+        // something went without work; where statements have been searched for they are made again in any case.
         match &verdict {
             Verdict::Refuted(_) => Some(verdict),
-            Verdict::Proved(evidence) if is_of_its_statements(subject, claim, evidence) => Some(verdict),
+            Verdict::Proved(evidence)
+                if !is_cut && evidence.ways().is_empty()
+                    || self.counted(&mut || is_of_its_statements(subject, claim, evidence)) =>
+            {
+                Some(verdict)
+            }
+            Verdict::Undecided(_) if !is_cut => Some(verdict),
             _ if !is_last => None,
             Verdict::Proved(_) => Some(Verdict::Undecided(String::from(IN_PARTS))),
             Verdict::Undecided(_) => Some(verdict),

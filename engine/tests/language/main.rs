@@ -2,6 +2,7 @@
 
 mod assumed;
 mod beside;
+mod chebyshev;
 mod ends_at_sums;
 mod finer_parts;
 mod integrals;
@@ -15,4 +16,5 @@ mod related;
 mod rendering;
 #[path = "../support/mod.rs"]
 mod support;
+mod touching;
 mod verdicts;

@@ -103,21 +103,21 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
     }
     if budget.allows(Method::Subdivision) {
         let cuts = first_cuts(problem.ranges.len());
-        let mut part = budget.take(budget.left() / 4);
+        let mut part = budget.take_sixteenths(4);
         let found = by_subdivision(problem, relation, cuts, Method::Subdivision, &mut part);
         budget.put_back(&part);
         if let Some(outcome) = found {
             return outcome;
         }
     }
-    let mut part = budget.take(budget.left() / 8);
+    let mut part = budget.take_sixteenths(2);
     let found = diagonal::on_diagonals(problem, relation, &mut part, prove);
     budget.put_back(&part);
     if let Some(point) = found {
         return Outcome::Refuted(point);
     }
     if problem.ranges.len() > 2 {
-        let mut part = budget.take(budget.left() / 4);
+        let mut part = budget.take_sixteenths(4);
         let found = descent::downhill(problem, relation, &mut part);
         budget.put_back(&part);
         if let Some(point) = found {
@@ -126,7 +126,7 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
     }
     let complete = match relation {
         Relation::NonNegative if budget.allows(Method::Cells) => {
-            let mut part = budget.take(budget.left() / 4 * 3);
+            let mut part = budget.take_sixteenths(12);
             let found = cells::by_cells(problem, &mut part);
             budget.put_back(&part);
             Some(found)

@@ -331,8 +331,8 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
     }
     let expressions =
         basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, work));
-    let own = expressions.unwrap_or_default().into_iter().find(|(label, _)| label == of);
-    let difference = own.map_or_else(Fraction::zero, |(_, value)| value);
+    let own = expressions.unwrap_or_default().into_iter().find(|(label, ..)| label == of);
+    let difference = own.map_or_else(Fraction::zero, |(_, value, _)| value);
     let mut names = family.names.clone();
     if let ClaimKind::Continuity(joint) = kind {
         names.extend(joint.free.iter().map(|p| p.name.clone()));

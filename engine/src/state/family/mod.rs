@@ -5,6 +5,7 @@ mod beside;
 #[cfg(not(feature = "angles"))]
 #[path = "no_beside.rs"]
 mod beside;
+mod chebyshev;
 mod identity;
 mod independent;
 mod point;
@@ -45,24 +46,35 @@ pub use independent::{Table, table};
 #[cfg(any(test, feature = "rounding"))]
 pub use rounding::{point_error, point_name, value_errors};
 
-/// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent.
-fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
+/// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent, or
+/// where nothing is known that is enough for it.
+fn expressions(
+    family: &Family,
+    kind: &ClaimKind,
+    work: &mut Work,
+) -> Option<Vec<(String, Fraction, Comparison)>> {
+    let equations = |all: Vec<(String, Fraction)>| {
+        all.into_iter().map(|(of, value)| (of, value, Comparison::Equal)).listed()
+    };
     let all = match kind {
-        ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
-        ClaimKind::Symmetric if !family.pieces.is_empty() => spans::symmetric(family, work)?,
-        ClaimKind::Symmetric => identity::symmetric(family, work)?,
-        ClaimKind::Continuity(joint) => identity::continuity(family, joint)?,
-        ClaimKind::Smooth(order) => spans::smooth(family, *order, work)?,
+        ClaimKind::PartitionOfUnity => equations(identity::partition_of_unity(family, work)?),
+        ClaimKind::Symmetric if !family.pieces.is_empty() => equations(spans::symmetric(family, work)?),
+        ClaimKind::Symmetric => equations(identity::symmetric(family, work)?),
+        ClaimKind::Continuity(joint) => equations(identity::continuity(family, joint)?),
+        ClaimKind::Smooth(order) => equations(spans::smooth(family, *order, work)?),
+        ClaimKind::TotallyPositive => chebyshev::conditions(family, work)?,
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
-            functions.map(|(k, f)| (family.function_label(k), f.value.clone())).listed()
+            let least = Comparison::GreaterEqual;
+            functions.map(|(k, f)| (family.function_label(k), f.value.clone(), least)).listed()
         }
         ClaimKind::Relation { differences, .. } => {
-            differences.mapped(|(_, d)| (d.text.clone(), d.value.clone()))
+            differences.mapped(|(comparison, d)| (d.text.clone(), d.value.clone(), *comparison))
         }
         _ => Vec::new(),
     };
-    Some(all.into_iter().map(|(of, value)| (of, family.analytic.reduced(value))).listed())
+    let all = all.into_iter();
+    Some(all.map(|(of, value, comparison)| (of, family.analytic.reduced(value), comparison)).listed())
 }
 
 /// A statement of a claim, with what it is about and the part of the points of which it says that.
@@ -149,7 +161,8 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         }
         return independent::said(family, except);
     }
-    if let ClaimKind::TotallyPositive = kind {
+    let is_total = matches!(kind, ClaimKind::TotallyPositive);
+    if is_total && !chebyshev::is_mixed(family) {
         return basis_prover::working(family.budget, &mut |work| total::said(family, work));
     }
     let mut parts = inequality::parts(family, kind.fixed());
@@ -163,17 +176,12 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
         return Some(rounding::statements(family, epsilons)?.into_iter().map(plain).listed());
     }
-    let comparison = |k: usize| match kind {
-        ClaimKind::Nonnegative => Comparison::GreaterEqual,
-        ClaimKind::Relation { differences, .. } => differences[k].0,
-        _ => Comparison::Equal,
-    };
     let expressions = basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?;
     let there = family.where_fixed(kind.fixed())?;
     let (mut all, mut sample) = (Vec::new(), None);
     for (number, part) in parts.iter().enumerate() {
-        for (k, (of, value)) in expressions.iter().enumerate() {
-            let comparison = comparison(k);
+        for (of, value, comparison) in &expressions {
+            let comparison = *comparison;
             match beside::enough(&there, (of, value, comparison), part, &mut sample, saying) {
                 Enough::All(steps) => {
                     for (stated, of) in steps {
@@ -187,21 +195,22 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
                 Enough::Unknown | Enough::Itself => {}
             }
             let plainly = matches!(saying, Saying::Plainly);
-            let (of, value) = if matches!(comparison, Comparison::Equal | Comparison::NotEqual) {
-                (of.clone(), value.clone())
-            } else {
-                let powers = if plainly { None } else { powers::with_powers(family, value) };
-                without_numbers(family, of.clone(), powers.unwrap_or_else(|| value.clone()))
-            };
-            let stated =
-                Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
-            let Some(enough) = premises::without(&stated.statement).filter(|_| !plainly) else {
-                all.push(Said { stated, of, piece: part.0.clone() });
-                continue;
-            };
-            for statement in enough {
-                let stated = Stated { statement, is_stronger: true, ..stated.clone() };
-                all.push(Said { stated, of: of.clone(), piece: part.0.clone() });
+            let is_sign = !matches!(comparison, Comparison::Equal | Comparison::NotEqual);
+            let powers = if plainly || !is_sign { None } else { powers::enough(family, of, value) };
+            let is_stronger = is_total || powers.as_ref().is_some_and(|all| all.len() > 1);
+            for (of, value) in powers.unwrap_or_else(|| vec![(of.clone(), value.clone())]) {
+                let (of, value) = if is_sign { without_numbers(family, of, value) } else { (of, value) };
+                let stated =
+                    Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
+                let stated = Stated { is_stronger, ..stated };
+                let Some(enough) = premises::without(&stated.statement).filter(|_| !plainly) else {
+                    all.push(Said { stated, of, piece: part.0.clone() });
+                    continue;
+                };
+                for statement in enough {
+                    let stated = Stated { statement, is_stronger: true, ..stated.clone() };
+                    all.push(Said { stated, of: of.clone(), piece: part.0.clone() });
+                }
             }
         }
     }
@@ -336,7 +345,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if assumed {
         let stated = said.iter().map(|s| s.stated.clone()).listed();
         if let Ok(shown) = all(stated, family.budget) {
-            return Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways));
+            return Verdict::Proved(
+                Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways),
+            );
         }
         if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty())
             && let Some(verdict) = decided_by_squares(family, claim)
@@ -358,7 +369,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     let beside: Vec<String> = said.iter().filter(open).map(|s| s.stated.of.clone()).listed();
     let stated = said.iter().map(|s| s.stated.clone()).listed();
     match all(stated, family.budget) {
-        Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)),
+        Ok(shown) => {
+            Verdict::Proved(Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways))
+        }
         Err(_) if matches!(claim.kind, ClaimKind::TotallyPositive) => not_total(family),
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
@@ -399,7 +412,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
 fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
     let enough = independent::by_squares(family, true)?.into_iter().map(|said| said.stated).listed();
     if let Ok(shown) = all(enough, family.budget) {
-        let evidence = Evidence::new(method(&claim.kind, &shown), steps(shown));
+        let evidence = Evidence::new(method(family, &claim.kind, &shown), steps(shown));
         return Some(Verdict::Proved(evidence.by(vec![independent::BY_SQUARES])));
     }
     let plain = independent::by_squares(family, false)?;
@@ -451,6 +464,7 @@ fn not_total(family: &Family) -> Verdict {
         None if family.functions.len() > total::MAX_FUNCTIONS => {
             Verdict::Undecided(String::from(total::TOO_MANY))
         }
+        None if chebyshev::is_mixed(family) => Verdict::Undecided(String::from(chebyshev::OPEN)),
         None => Verdict::Undecided(String::from(total::OPEN)),
     }
 }
@@ -467,7 +481,7 @@ pub(in crate::state) fn minors(
 }
 
 /// How a claim was proved, in a few words.
-fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
+fn method(family: &Family, kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
     let equation = matches!(kind, ClaimKind::Relation { differences, .. }
         if differences.iter().all(|(comparison, _)| *comparison == Comparison::Equal));
     String::from(match kind {
@@ -476,6 +490,9 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
         ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
         ClaimKind::Smooth(_) => "expansion of the derivatives at the knots",
         ClaimKind::Independent(_) => "minors",
+        ClaimKind::TotallyPositive if chebyshev::is_mixed(family) => {
+            "zeros at both ends in a Chebyshev space"
+        }
         ClaimKind::TotallyPositive => "totally nonnegative conversion to a Bernstein basis",
         _ if equation => "expansion of both sides",
         _ => {

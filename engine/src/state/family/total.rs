@@ -92,7 +92,7 @@ fn steps(family: &Family, work: &mut Work) -> Option<Vec<Step>> {
             }
             rows = rows.mapped(|row| raise(row));
         }
-        for (k, value) in elimination(best, work)?.into_iter().enumerate() {
+        for (k, value) in elimination(fractions(&best), work)?.into_iter().enumerate() {
             let (relation, domain) = (Relation::NonNegative, Rc::clone(&domain));
             let statement = Statement::Sign { value: value.quotient(), relation, domain };
             let of = format!("step {} of the elimination", k + 1);
@@ -124,10 +124,16 @@ fn signed(
     for variable in &family.domain {
         *point.get_mut(variable.var.0)? = basis_prover::typical(&variable.range);
     }
-    let sign = |p: &Poly| Rational::from(i64::from(p.eval(&point).signum()));
-    let own =
-        |k: usize| sign(if family.is_rational() { &family.over } else { family.functions[k].value.denom() });
-    Some(table.iter().enumerate().map(|(k, row)| row.mapped(|p| p.scale(&own(k)))).listed())
+    let mut rows = Vec::new();
+    for (row, f) in table.iter().zip(&family.functions) {
+        let below = if family.is_rational() { &family.over } else { f.value.denom() };
+        let sign = below.eval(&point).signum();
+        if sign == 0 {
+            return None;
+        }
+        rows.push(row.mapped(|p| p.scale(&Rational::from(i64::from(sign)))));
+    }
+    Some(rows)
 }
 
 /// The coefficients in the Bernstein basis of the next degree.
@@ -160,15 +166,18 @@ fn samples(piece: &Piece) -> Vec<Vec<(Var, Rational)>> {
 fn is_nonnegative(rows: &[Vec<Poly>], point: &[(Var, Rational)], work: &mut Work) -> bool {
     let at = |p: &Poly| point.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
     let numbers = rows.mapped(|row| row.mapped(at));
-    let all = elimination(numbers, work);
+    let all = elimination(fractions(&numbers), work);
     all.is_some_and(|all| all.iter().all(|f| f.as_constant().is_some_and(|c| !c.is_negative())))
+}
+
+fn fractions(rows: &[Vec<Poly>]) -> Vec<Vec<Fraction>> {
+    rows.mapped(|row| row.mapped(|p| Fraction::from(p.clone())))
 }
 
 /// Neville elimination of a matrix, and of the transpose of what is left: everything that has to be ≥ 0; `None` when it
 /// needs an exchange of rows, or the work is spent.
-fn elimination(rows: Vec<Vec<Poly>>, work: &mut Work) -> Option<Vec<Fraction>> {
+pub(super) fn elimination(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<Vec<Fraction>> {
     let mut all = Vec::new();
-    let mut rows = rows.into_iter().map(|row| row.into_iter().map(Fraction::from).listed()).listed();
     for _ in 0..2 {
         echelon(&mut rows, &mut all, work)?;
         let width = rows.first().map_or(0, Vec::len);
@@ -240,8 +249,10 @@ pub(super) fn instances(family: &Family, given: &[Vec<Rational>]) -> Result<Vec<
         return Err("the points of a minor lie in the domain");
     }
     let value = minor(family, &numbers, points).ok_or("the minor has no value")?;
-    if family.analytic.numbers().into_iter().any(|v| value.depends_on(v)) {
-        return Err("the sign of a minor with pi or exp in it is not shown by one point");
+    if family.analytic.dependent().into_iter().any(|v| value.depends_on(v)) {
+        return Err(
+            "the sign of a minor with pi, exp or a variable beside its sine in it is not shown by one point",
+        );
     }
     let pieces = family.pieces(&[], &[], true);
     let stated = |(number, piece): (usize, &Piece)| {

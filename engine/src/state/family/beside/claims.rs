@@ -71,14 +71,15 @@ fn by_a_way<'f>(
             by(*way, sample)
         }
         Saying::Found(found) => {
-            let first = |ways: core::ops::Range<usize>, sample: &mut Option<Sample<'f>>| {
-                ways.into_iter().find_map(|way| {
+            let first = |ways: &[usize], sample: &mut Option<Sample<'f>>| {
+                ways.iter().find_map(|way| {
+                    let way = *way;
                     by(way, sample).filter(|all| are_proved(all, family.budget)).map(|all| (way, all))
                 })
             };
             let before = found.len();
             found.push(0);
-            if let Some((way, all)) = first(0..2, sample) {
+            if let Some((way, all)) = first(&[super::WIDER, super::LADDER], sample) {
                 found[before] = way;
                 return Some(all);
             }
@@ -89,7 +90,7 @@ fn by_a_way<'f>(
                 return Some(all);
             }
             found.truncate(before);
-            let way = first(2..super::COMBINATION, sample);
+            let way = first(&super::LATER, sample);
             found.push(way.as_ref().map_or(0, |(way, _)| *way));
             way.map(|(_, all)| all)
         }
@@ -227,7 +228,7 @@ pub(in crate::state::family) fn proved_at_once(family: &Family, claim: &Claim) -
     }
     let mut stated = Some(stated);
     let shown = within(AT_ONCE, &mut || all(stated.take()?, family.budget).ok())?;
-    Some(Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)))
+    Some(Verdict::Proved(Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways)))
 }
 
 /// The rows with all numbers between their bounds in place of parameters beside their sines; `None` where there is no such

@@ -7,13 +7,15 @@
 //! - the ladder of derivatives, with bounds for the parameters at the end of the domain in what it leaves, or with ladders in
 //!   these; also with the domain reversed;
 //! - bounds for the variable itself, exact where it is 0, or cell by cell at the nearest end;
-//! - as a combination of the functions of the family, each of which is ≥ 0.
+//! - as a combination of the functions of the family, each of which is ≥ 0;
+//! - by ladders on the parts of the domain between points at which the value or its derivative vanishes.
 //!
 //! A claim is false where the value is not as claimed whatever the numbers are that its enclosures leave
 //! ([`refute`]).
 
 mod claims;
 mod combination;
+mod cuts;
 mod ladder;
 mod parameter;
 mod point;
@@ -101,10 +103,14 @@ enum Way {
     Mirrored(u32),
     Whole(u32),
     Cells(u32),
+    /// As a combination of functions, whose own ways follow.
+    Combination,
+    /// On parts of the domain.
+    Parts(u32),
 }
 
-/// By their numbers in certificates, in the order in which they are tried.
-const WAYS: [Way; 10] = [
+/// By their numbers in certificates.
+const WAYS: [Way; 12] = [
     Way::Wider,
     Way::Ladder(5),
     Way::Halves(5),
@@ -115,17 +121,21 @@ const WAYS: [Way; 10] = [
     Way::Ladder(10),
     Way::Whole(8),
     Way::Cells(9),
+    Way::Combination,
+    Way::Parts(8),
 ];
 
 /// The level of the first bounds.
 const LEVEL: u32 = 5;
 
-/// The positions of two of them.
+/// The positions of some of them.
 const WIDER: usize = 0;
 const LADDER: usize = 1;
+const COMBINATION: usize = 10;
+const PARTS: usize = 11;
 
-/// The number of another way: as a combination of functions, whose own ways follow.
-const COMBINATION: usize = WAYS.len();
+/// The order in which the others are tried.
+const LATER: [usize; 9] = [PARTS, 2, 3, 4, 5, 6, 7, 8, 9];
 
 /// The angles that stand in a function beside their sines.
 fn beside<'f>(family: &'f Family, value: &Fraction) -> Vec<&'f Angle> {
@@ -173,6 +183,9 @@ fn steps(
         return in_wider_ranges(family, &whole, work);
     }
     let sample = sample?;
+    if let (Way::Parts(level), Some(angle)) = (way, own) {
+        return cuts::steps(family, angle, &whole, *level, sample, work);
+    }
     let (found, level) = match (way, own) {
         (Way::Ladder(level) | Way::Parameter(level), Some(angle)) => {
             let mut ladder = Ladder::new(family, angle, range, sample);
@@ -203,7 +216,8 @@ fn steps(
         }
         (Way::Cells(level), Some(angle)) => (cells(angle, range, sample, &whole)?, *level),
         (Way::Ladder(level) | Way::Whole(level) | Way::Parameter(level), _) => (vec![whole], *level),
-        (Way::Wider, _) | (Way::Cells(_) | Way::Halves(_) | Way::Mirrored(_), None) => return None,
+        (Way::Wider | Way::Combination | Way::Parts(_), _)
+        | (Way::Cells(_) | Way::Halves(_) | Way::Mirrored(_), None) => return None,
     };
     let (mut all, mut changed) = (Vec::new(), false);
     for step in found {

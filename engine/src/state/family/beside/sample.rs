@@ -244,6 +244,26 @@ pub(in crate::state) fn about(family: &Family, point: &Values) -> Vec<(String, f
     family.analytic.angles.iter().filter(scaled).filter_map(of).listed()
 }
 
+/// Numbers between which a function lies at a point of the domain where the variable that stands for a tangent, and the angle
+/// itself, are functions of π, exp(r) and tan(π/n); shape parameters have values.
+pub(super) fn about_at(
+    family: &Family,
+    f: &Fraction,
+    (angle, y, itself): (&Angle, &Fraction, &Fraction),
+    typical: &Values,
+    work: &mut Work,
+) -> Option<Interval> {
+    work.spend(ENCLOSURE + cost(f))?;
+    let is_shape = |var: Var| family.shapes.iter().any(|p| p.var == var);
+    let shapes = typical.iter().filter(|(var, _)| is_shape(*var)).cloned().listed();
+    let mut found = enclosures(family, &shapes)?;
+    for (var, place) in [(angle.var, y), (angle.itself, itself)] {
+        let (low, high) = between(place, &shapes, &found.between)?;
+        found.between.push((var, (rounded(&low, false), rounded(&high, true))));
+    }
+    between(f, &shapes, &found.between)
+}
+
 /// A number below or above a function of π and exp(r).
 pub(super) fn bound(family: &Family, f: &Fraction, up: bool) -> Option<Rational> {
     let found = enclosures(family, &Vec::new())?;
@@ -429,6 +449,9 @@ impl<'f> Sample<'f> {
         // As often as half of the work that is left allows; the other half is for the proof.
         let round = 2 * (self.rows.len() * ways.len().max(1)) as u64 * nearer;
         let rounds = u64::from(NEARER).min(work.left() / 2 / round.max(1));
+        if rounds < u64::from(NEARER) {
+            basis_prover::done_less_often();
+        }
         work.spend(rounds * round)?;
         let value = |point: &Values, found: &Enclosures| {
             let (low, high) = between(f, point, &found.between)?;
