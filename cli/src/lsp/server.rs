@@ -8,15 +8,9 @@ use basis_engine::Files;
 use basis_engine::query;
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
 use lsp_types::{
-    CodeActionKind, CodeActionOptions, CodeActionParams, CodeActionProviderCapability, CompletionOptions,
-    CompletionParams, DocumentHighlight, FoldingRangeProviderCapability, GotoDefinitionParams,
-    HoverProviderCapability, InitializeParams, InlayHintParams, OneOf, PublishDiagnosticsParams,
-    ReferenceParams, RenameOptions, RenameParams, SemanticTokens, SemanticTokensFullOptions,
-    SemanticTokensOptions, ServerCapabilities, TextDocumentContentChangeEvent, TextDocumentIdentifier,
-    TextDocumentPositionParams, TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri,
-    WorkDoneProgressOptions,
+    CodeActionKind, DocumentHighlight, Position, PublishDiagnosticsParams, Range, SemanticTokens,
+    TextDocumentContentChangeEvent, TextDocumentSyncKind, TextEdit, Uri,
 };
-use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
@@ -50,8 +44,7 @@ type Failure = Box<dyn Error + Send + Sync>;
 
 /// Serves an editor until it says goodbye.
 pub(super) fn serve(connection: &Connection) -> Result<(), Failure> {
-    let parameters = connection.initialize(serde_json::to_value(capabilities())?)?;
-    let parameters: InitializeParams = serde_json::from_value(parameters)?;
+    let parameters = connection.initialize(capabilities())?;
     let mut server = Server::new(&parameters);
     loop {
         let message = if server.has_work() {
@@ -101,56 +94,40 @@ fn goodbye(connection: &Connection) -> Result<(), Failure> {
     Ok(())
 }
 
-fn capabilities() -> ServerCapabilities {
-    ServerCapabilities {
-        text_document_sync: Some(TextDocumentSyncCapability::Kind(TextDocumentSyncKind::INCREMENTAL)),
-        hover_provider: Some(HoverProviderCapability::Simple(true)),
-        completion_provider: Some(CompletionOptions {
-            trigger_characters: Some(vec![String::from("\\"), String::from("\"")]),
-            ..CompletionOptions::default()
-        }),
-        definition_provider: Some(OneOf::Left(true)),
-        references_provider: Some(OneOf::Left(true)),
-        document_highlight_provider: Some(OneOf::Left(true)),
-        rename_provider: Some(OneOf::Right(RenameOptions {
-            prepare_provider: Some(true),
-            work_done_progress_options: WorkDoneProgressOptions::default(),
-        })),
-        document_symbol_provider: Some(OneOf::Left(true)),
-        folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
-        document_formatting_provider: Some(OneOf::Left(true)),
-        semantic_tokens_provider: Some(
-            SemanticTokensOptions {
-                legend: words::legend(),
-                full: Some(SemanticTokensFullOptions::Bool(true)),
-                ..SemanticTokensOptions::default()
-            }
-            .into(),
-        ),
-        inlay_hint_provider: Some(OneOf::Left(true)),
-        code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
-            code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, CodeActionKind::SOURCE]),
-            resolve_provider: Some(true),
-            ..CodeActionOptions::default()
-        })),
-        ..ServerCapabilities::default()
-    }
-}
-
-/// A request about a range of a text, or the whole.
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
-struct OfText {
-    text_document: TextDocumentIdentifier,
+/// What the server does. This and what an editor says of itself are read and written field by field: with the types of the
+/// protocol, which know everything that any editor may say, the command is a third of a megabyte larger.
+fn capabilities() -> Value {
+    json!({
+        "textDocumentSync": TextDocumentSyncKind::INCREMENTAL,
+        "hoverProvider": true,
+        "completionProvider": { "triggerCharacters": ["\\", "\""] },
+        "definitionProvider": true,
+        "referencesProvider": true,
+        "documentHighlightProvider": true,
+        "renameProvider": { "prepareProvider": true },
+        "documentSymbolProvider": true,
+        "foldingRangeProvider": true,
+        "documentFormattingProvider": true,
+        "semanticTokensProvider": { "legend": words::legend(), "full": true },
+        "inlayHintProvider": true,
+        "codeActionProvider": {
+            "codeActionKinds": [CodeActionKind::QUICKFIX, CodeActionKind::SOURCE],
+            "resolveProvider": true,
+        },
+    })
 }
 
 impl Server {
-    fn new(parameters: &InitializeParams) -> Self {
-        let client = serde_json::to_value(&parameters.capabilities).unwrap_or_default();
-        let has = |path: &str| client.pointer(path).is_some_and(|v| *v != Value::Bool(false) && !v.is_null());
-        let folders = parameters.workspace_folders.iter().flatten().filter_map(|f| files::path(&f.uri));
-        #[allow(deprecated)] // older editors name one folder only
-        let root = parameters.root_uri.as_ref().and_then(files::path);
+    /// Starts with what the editor says of itself.
+    fn new(parameters: &Value) -> Self {
+        let has = |path: &str| {
+            let value = parameters.pointer("/capabilities").and_then(|c| c.pointer(path));
+            value.is_some_and(|v| *v != Value::Bool(false) && !v.is_null())
+        };
+        let file = |uri: &Value| files::path(&uri.as_str()?.parse().ok()?);
+        let folders = parameters.get("workspaceFolders").and_then(Value::as_array).into_iter().flatten();
+        let folders = folders.filter_map(|f| file(f.get("uri")?));
+        let root = parameters.get("rootUri").and_then(file); // older editors name one folder only
         let mut roots: Vec<PathBuf> = folders.chain(root).collect();
         roots.dedup();
         Self {
@@ -303,72 +280,63 @@ impl Server {
     }
 
     fn answer(&self, request: Request) -> Message {
-        let id = request.id.clone();
-        Message::Response(match self.result(request) {
+        let result = self.result(&request);
+        let id = request.id;
+        Message::Response(match result {
             Ok(result) => Response::new_ok(id, result),
             Err((code, message)) => Response::new_err(id, code as i32, message),
         })
     }
 
-    fn result(&self, request: Request) -> Result<Value, (ErrorCode, String)> {
-        let method = request.method.clone();
+    fn result(&self, request: &Request) -> Result<Value, (ErrorCode, String)> {
+        let (method, params) = (request.method.as_str(), &request.params);
         if method == "codeAction/resolve" {
-            return value(actions::resolve(&self.workspace, read(request)?));
+            return value(actions::resolve(&self.workspace, params.clone()));
         }
-        let Ok(of) = serde_json::from_value::<OfText>(request.params.clone()) else {
+        let Some(uri) = params.pointer("/textDocument/uri").and_then(Value::as_str) else {
             return Err((ErrorCode::MethodNotFound, format!("`{method}` is not known")));
         };
-        let uri = of.text_document.uri.as_str();
         let Some(text) = self.workspace.text(uri) else {
             return Err((ErrorCode::InvalidParams, format!("{uri} is not open")));
         };
         let analysis = text.analysis.as_ref();
-        match method.as_str() {
+        let position = || read::<Position>(params, "/position");
+        let range = || read::<Range>(params, "/range");
+        match method {
             "textDocument/hover" => {
-                let at: TextDocumentPositionParams = read(request)?;
-                value(analysis.and_then(|a| hover::hover(&self.workspace, text, a, at.position)))
+                let position = position()?;
+                value(analysis.and_then(|a| hover::hover(&self.workspace, text, a, position)))
             }
             "textDocument/inlayHint" => {
-                let at: InlayHintParams = read(request)?;
-                value(analysis.map(|a| marks::hints(text, a, at.range)))
+                let range = range()?;
+                value(analysis.map(|a| marks::hints(text, a, range)))
             }
             "textDocument/codeAction" => {
-                let at: CodeActionParams = read(request)?;
-                value(analysis.map(|a| actions::actions(&self.workspace, text, a, at.range)))
+                let range = range()?;
+                value(analysis.map(|a| actions::actions(&self.workspace, text, a, range)))
             }
             "textDocument/completion" => {
-                let at: CompletionParams = read(request)?;
-                let position = at.text_document_position.position;
-                value(complete::complete(&self.workspace, text, self.snippets, position))
+                value(complete::complete(&self.workspace, text, self.snippets, position()?))
             }
-            "textDocument/definition" => {
-                let at: GotoDefinitionParams = read(request)?;
-                value(names::definition(&self.workspace, text, at.text_document_position_params.position))
-            }
+            "textDocument/definition" => value(names::definition(&self.workspace, text, position()?)),
             "textDocument/references" => {
-                let at: ReferenceParams = read(request)?;
-                let position = at.text_document_position.position;
-                value(names::references(&self.workspace, text, position, at.context.include_declaration))
+                let declared = read(params, "/context/includeDeclaration")?;
+                value(names::references(&self.workspace, text, position()?, declared))
             }
             "textDocument/documentHighlight" => {
-                let at: TextDocumentPositionParams = read(request)?;
-                let all = names::references(&self.workspace, text, at.position, true)
+                let all = names::references(&self.workspace, text, position()?, true)
                     .unwrap_or_default()
                     .into_iter();
                 let own = all.filter(|l| l.uri == text.uri);
                 value(own.map(|l| DocumentHighlight { range: l.range, kind: None }).collect::<Vec<_>>())
             }
             "textDocument/prepareRename" => {
-                let at: TextDocumentPositionParams = read(request)?;
-                value(
-                    names::prepare(&self.workspace, text, at.position)
-                        .map_err(|e| (ErrorCode::RequestFailed, e))?,
-                )
+                let range = names::prepare(&self.workspace, text, position()?);
+                value(range.map_err(|e| (ErrorCode::RequestFailed, e))?)
             }
             "textDocument/rename" => {
-                let at: RenameParams = read(request)?;
-                let edit =
-                    names::rename(&self.workspace, text, at.text_document_position.position, &at.new_name);
+                let name: String = read(params, "/newName")?;
+                let edit = names::rename(&self.workspace, text, position()?, &name);
                 value(edit.map_err(|e| (ErrorCode::RequestFailed, e))?)
             }
             "textDocument/documentSymbol" => value(outline::outline(text)),
@@ -397,8 +365,10 @@ fn changed(text: &str, changes: &[TextDocumentContentChangeEvent]) -> String {
     text
 }
 
-fn read<T: DeserializeOwned>(request: Request) -> Result<T, (ErrorCode, String)> {
-    serde_json::from_value(request.params).map_err(|e| (ErrorCode::InvalidParams, e.to_string()))
+/// A part of what an editor sends with a request.
+fn read<T: DeserializeOwned>(params: &Value, path: &str) -> Result<T, (ErrorCode, String)> {
+    let part = params.pointer(path).cloned().unwrap_or_default();
+    serde_json::from_value(part).map_err(|e| (ErrorCode::InvalidParams, format!("`{}`: {e}", &path[1..])))
 }
 
 fn value(result: impl serde::Serialize) -> Result<Value, (ErrorCode, String)> {

@@ -46,15 +46,17 @@ pub(in crate::lsp) fn actions(
 }
 
 /// The action with its edit.
-pub(in crate::lsp) fn resolve(workspace: &Workspace, mut action: CodeAction) -> CodeAction {
-    let word = |name: &str| action.data.as_ref().and_then(|d| d.get(name)).and_then(Value::as_str);
+pub(in crate::lsp) fn resolve(workspace: &Workspace, mut action: Value) -> Value {
+    let word = |name: &str| action.get("data").and_then(|d| d.get(name)).and_then(Value::as_str);
     let edit = match (word("uri"), word("family")) {
         (Some(uri), Some(family)) => workspace.text(uri).and_then(|text| insert(workspace, text, family)),
         _ => None,
     };
-    if action.edit.is_none() {
+    if let Value::Object(fields) = &mut action
+        && fields.get("edit").is_none_or(Value::is_null)
+    {
         // An editor that finds no edit in an action reports an error; an empty one changes nothing.
-        action.edit = Some(edit.unwrap_or_default());
+        fields.insert(String::from("edit"), json!(edit.unwrap_or_default()));
     }
     action
 }
