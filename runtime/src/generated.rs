@@ -6,9 +6,9 @@
 /// The functions that the code calls. None of them goes or changes; code of a later version may call others.
 pub mod v1 {
     pub use crate::__private::{
-        affine_bernstein, bernstein, box_sum, check_end, check_point, check_reach, check_shape, combine,
-        cut_off, end_points, multinomials, powers, raise_weights, simplex_sum, table, tan, tan_complement,
-        tanh, tanh_complement, unit,
+        affine_bernstein, bernstein, box_sum, check_end, check_point, check_reach, check_reach_below,
+        check_shape, combine, cut_off, end_points, multinomials, powers, raise_weights, simplex_sum, table,
+        tan, tan_complement, tanh, tanh_complement, unit,
     };
 }
 

@@ -71,6 +71,26 @@ pub fn check_reach<S: Scalar>(
     }
 }
 
+/// `value` if it is not below what this kind of floats reaches: as [`check_reach`], with the smallest shape value.
+///
+/// # Errors
+/// Otherwise, the error that names the family, the parameter and that range.
+#[inline]
+pub fn check_reach_below<S: Scalar>(
+    family: &'static str,
+    parameter: &'static str,
+    value: S,
+    reaches: [(f64, &'static str); 2],
+) -> Result<S, ShapeError> {
+    let is_double = S::of(f64::MAX).is_finite();
+    let (smallest, range) = reaches[usize::from(!is_double)];
+    if value >= S::of(smallest) {
+        Ok(value)
+    } else {
+        Err(ShapeError::new(family, parameter, value.to_f64(), range))
+    }
+}
+
 /// `point`, which a join computes, if all its components are finite.
 ///
 /// # Errors

@@ -178,3 +178,30 @@ fn other_languages_say_where_they_come_from() {
     let run = folder.run(&["emit", "quartic.basis", "--to", "c", "--scalar", "f32"]);
     assert!(run.stdout.contains("float values[4]") && run.stdout.contains("--to c --scalar f32\n"));
 }
+
+/// Exponentials that overflow for all values of a range: an error in every language, which says how far floats reach.
+#[test]
+fn a_range_that_no_float_reaches_is_an_error() {
+    let family = "family Far { shape 10 < α; domain 0 <= t <= 1; b[0] = 1/(t + exp(-40*α)); }";
+    let near = "family Far { shape 2 < α; domain 0 <= t <= 1; b[0] = 1/(t + exp(-40*α)); }";
+    let folder = Folder::with("far.basis", family).and("near.basis", near);
+    for language in ["rust", "c", "python", "typescript", "wgsl", "glsl"] {
+        let floats = if matches!(language, "wgsl" | "glsl") { "f32" } else { "f64" };
+        let run = folder.run(&["emit", "far.basis", "--to", language]);
+        assert_eq!((run.code, run.stdout.as_str()), (1, ""), "{language}");
+        let said = format!("exponentials of `α` overflow in {floats} for all values in its range `10 < α`");
+        assert!(run.stderr.contains(&said), "{language}: {}", run.stderr);
+        // Wide floats reach 5.75.
+        let run = folder.run(&["emit", "near.basis", "--to", language]);
+        assert_eq!(run.code, i32::from(floats == "f32"), "{language}: {}", run.stderr);
+    }
+}
+
+/// Why there is no code for functions of a high degree beside the domain variable.
+#[test]
+fn a_degree_may_be_too_high_for_power_series() {
+    let high = "family F { shape 0 < α; domain 0 <= t <= α; b[i] = (sinh(t) - t)^i*cosh(t)^(20 - i) for i in 0..=20; }";
+    let run = Folder::with("high.basis", high).run(&["emit", "high.basis", "--to", "c"]);
+    assert_eq!(run.code, 1);
+    assert!(run.stderr.contains("of too high a degree"), "{}", run.stderr);
+}

@@ -8,7 +8,7 @@ use crate::generate::{self, rational::split};
 use crate::model::chart::Constraint;
 use crate::model::{Factor, Family, Parameter, label};
 use crate::plan::Input;
-use crate::plan::reach::decimal;
+use crate::plan::reach::{Reach, decimal};
 use crate::rounding::Error;
 use crate::steps::{Builder, FamilySteps, JoinSteps, Step, Steps};
 use crate::theorem::{Origin, Theorem};
@@ -107,8 +107,9 @@ pub struct Shape<'a> {
     pub doc: &'a [String],
     /// The declared range, as far as the floats of the language reach: see [`reach`](crate::plan::reach).
     pub range: Range,
-    /// The largest value that `f32` reaches, where a language has both kinds of floats, and these do not reach all of the range.
-    pub single: Option<Rational>,
+    /// The smallest and the largest value that `f32` reaches, where a language has both kinds of floats, and these do not reach
+    /// all of the range.
+    pub single: [Option<Rational>; 2],
     /// The range as text, such as `-3 <= λ <= 1`.
     pub shown: String,
     /// The same with the name in the file, in ASCII.
@@ -147,10 +148,11 @@ impl<'a> FamilyCode<'a> {
         };
         single(evaluators.iter(), language, &family.place, &message)?;
         let name = named(wanted.name.as_ref().unwrap_or(&family.name), language)?;
-        let shapes = shapes(family.shapes.iter(), Some(family), language);
-        if let Some(error) = out_of_reach(family, &shapes, language) {
+        let reaches = generate::reaches(family, generate::rational_forms(family).as_deref());
+        if let Some(error) = generate::out_of_reach(family, &reaches, usize::from(language.is_single())) {
             return Err(error);
         }
+        let shapes = shapes(family.shapes.iter(), Some((family, &reaches)), language);
         let mut taken: Vec<String> = shapes.iter().map(|shape| shape.name.clone()).collect();
         let derived = steps.derived().map_or(&[][..], |derived| &derived.names);
         let derived: Vec<String> = derived
@@ -458,39 +460,39 @@ fn plain(name: &str) -> String {
     name.split(['[', ']', ',', ' ']).filter(|part| !part.is_empty()).collect::<Vec<_>>().join("_")
 }
 
-/// Parameters under names that differ: of a family, or the scalars of a join.
+/// Parameters under names that differ: of a family with how far floats reach, or the scalars of a join.
 fn shapes<'a>(
     parameters: impl Iterator<Item = &'a Parameter>,
-    family: Option<&'a Family>,
+    family: Option<(&'a Family, &[Option<Reach>])>,
     language: &dyn Language,
 ) -> Vec<Shape<'a>> {
     let mut names: Vec<String> = Vec::new();
-    let reaches = family.map(|family| generate::reaches(family, generate::rational_forms(family).as_deref()));
-    let mut reaches = reaches.unwrap_or_default().into_iter();
+    let floats = usize::from(language.is_single());
     parameters
-        .map(|parameter| {
-            let reach = reaches.next().flatten();
-            let angle = family.and_then(|family| family.analytic.angle(parameter.var));
-            let written = family.map_or(parameter.name.as_str(), |family| family.name_of(parameter));
+        .enumerate()
+        .map(|(k, parameter)| {
+            let reach = family.and_then(|(_, reaches)| reaches[k].as_ref());
+            let angle = family.and_then(|(family, _)| family.analytic.angle(parameter.var));
+            let written = family.map_or(parameter.name.as_str(), |(family, _)| family.name_of(parameter));
             let name = language.free(&plain(written), &names);
             names.push(name.clone());
-            let mut range = match family {
-                Some(family) => {
-                    let [low, high] = generate::shape_ends(family, parameter);
-                    Range { low, high }
-                }
-                None => parameter.range.clone(),
+            let (range, is_short) = match family {
+                Some((family, _)) => generate::within(family, parameter, reach, floats),
+                None => (parameter.range.clone(), [false; 2]),
             };
             let mut ends = angle.map(|angle| angle.ends.clone());
-            let mut single = None;
-            if let (Some([double, float]), Some([_, end])) = (reach, &mut ends) {
-                let (own, other) = if language.is_single() { (float, None) } else { (double, Some(float)) };
-                if range.high.value().is_none_or(|high| own < *high) {
-                    *end = decimal(&own);
-                    range.high = End::Included(own);
+            for ((end, range), is_short) in
+                ends.iter_mut().flatten().zip([&range.low, &range.high]).zip(is_short)
+            {
+                if let (true, Some(reach)) = (is_short, range.value()) {
+                    *end = decimal(reach);
                 }
-                single = other;
             }
+            let single = |ends: fn(&Reach) -> &Option<[Rational; 2]>| {
+                let ends = reach.filter(|_| !language.is_single()).and_then(|reach| ends(reach).as_ref());
+                ends.map(|[_, single]| single.clone())
+            };
+            let single = [single(|reach| &reach.low), single(|reach| &reach.high)];
             let shown = |name: &str| match &ends {
                 Some(ends) => angle_range(&range, ends, name),
                 None => range.display(name).to_string(),
@@ -499,19 +501,6 @@ fn shapes<'a>(
             Shape { name, written, doc: &parameter.doc, range, single, shown, condition }
         })
         .collect()
-}
-
-/// The error for a shape parameter with no value that the floats of a language reach.
-fn out_of_reach(family: &Family, shapes: &[Shape<'_>], language: &dyn Language) -> Option<Diagnostic> {
-    let is_empty = |shape: &&Shape<'_>| shape.range.is_empty();
-    let shape = shapes.iter().find(is_empty)?;
-    let floats = if language.is_single() { "f32" } else { "f64" };
-    let message = format!(
-        "exponentials of `{}` overflow in {floats} for all values in its range: it reaches `{}` only",
-        shape.written, shape.shown
-    );
-    let error = Diagnostic::error(family.place.clone(), message);
-    Some(error.help("scale the parameter in the formulas, or choose a lower order or wider floats"))
 }
 
 /// The range of an angle with its ends as they are written, such as `0 < α <= pi/2`.

@@ -153,10 +153,11 @@ impl Python {
     fn check(self, of: &str, shape: &Shape<'_>) -> String {
         let mut inside = inside(shape, &self, "&", ("<", "INFINITY"));
         let mut message = format!("{of}: `{}` must be finite, with {}", shape.written, shape.shown);
-        if let Some(single) = &shape.single {
+        for ((single, sign), words) in shape.single.iter().zip([">=", "<="]).zip(["at least", "at most"]) {
+            let Some(single) = single else { continue };
             let name = &shape.name;
-            inside += &format!(" & (({name} <= {}) | (not _is_single({name})))", self.signed(single));
-            message += &format!(", and at most {} in float32", reach_text(single));
+            inside += &format!(" & (({name} {sign} {}) | (not _is_single({name})))", self.signed(single));
+            message += &format!(", and {words} {} in float32", reach_text(single));
         }
         let message = quoted(&message);
         format!("_check({message}, {}, {inside})\n", shape.name)
@@ -404,12 +405,13 @@ impl Class<'_> {
                 .shapes
                 .iter()
                 .map(|s| {
-                    let single = s.single.as_ref().map(|single| {
-                        format!(", at most {} where it or a coordinate is a float32", reach_text(single))
+                    let single = s.single.iter().zip(["at least", "at most"]).filter_map(|(end, words)| {
+                        let end = reach_text(end.as_ref()?);
+                        Some(format!(", {words} {end} where it or a coordinate is a float32"))
                     });
                     let about =
                         if s.doc.is_empty() { String::new() } else { format!(" ({})", s.doc.join(" ")) };
-                    s.shown.clone() + &single.unwrap_or_default() + &about
+                    s.shown.clone() + &single.collect::<String>() + &about
                 })
                 .collect();
             format!("{}. Raises ValueError for other shape values.", shown.join("; "))

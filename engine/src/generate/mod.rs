@@ -40,9 +40,9 @@ use crate::plan::reach::{self, Reach};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
 pub use code::names::ascii;
-use code::shell::Shell;
 #[cfg(any(test, feature = "tools"))]
-pub(crate) use code::shell::shape_ends;
+pub(crate) use code::reach::{out_of_reach, within};
+use code::shell::Shell;
 use code::tokens::{doc, site};
 use code::{floats, names};
 #[cfg(any(test, feature = "tools"))]
@@ -147,7 +147,7 @@ fn in_evaluated_form(family: &Family) -> Result<Cow<'_, Family>, Diagnostic> {
             }
             error(
                 "no code is generated yet for families with the domain variable beside its sine or exponential and sines of it in \
-                 a denominator, or an end of the domain that is not a multiple of one shape parameter",
+                 a denominator, of too high a degree, or with an end of the domain that is not a multiple of one shape parameter",
             )
         });
     }
@@ -220,7 +220,7 @@ pub(crate) fn documentation(
             (patch::formulas(&plans), nonnegative::on_patch(&plans))
         }
     };
-    let bounds = [signs, code::docs::reaches(family, &reaches), rounding::lines(proved, family)].concat();
+    let bounds = [signs, code::reach::lines(family, &reaches), rounding::lines(proved, family)].concat();
     Some(code::docs::family(told, &formulas, &bounds, verdicts, decided))
 }
 
@@ -261,6 +261,10 @@ pub(crate) fn definition(
     let family = &*evaluated;
     let forms = rational_forms(family);
     let reaches = reaches(family, forms.as_deref());
+    // A type is for both kinds of floats: at least the wide ones have to reach a value.
+    if let Some(error) = code::reach::out_of_reach(family, &reaches, 0) {
+        return Err(vec![error]);
+    }
     let shell = Shell { family, name, fields, runtime, reaches, decided };
     let code = match (forms, IntervalForm::new(family)) {
         (Some(forms), _) => rational::emit(&shell, told, &forms, verdicts),

@@ -4,9 +4,9 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
-use super::code::docs;
 use super::code::shell::Shell;
 use super::code::tokens::{doc, float, number, site};
+use super::code::{docs, reach};
 use super::formula::{factored, is_sum};
 use super::rust::{BERNSTEIN, Body};
 use super::{nonnegative, rounding};
@@ -46,7 +46,7 @@ pub(super) fn emit(
         }
     };
     let formulas = formulas(told, family, forms);
-    let (signs, reaches) = (nonnegative::of_quotients(family, forms), docs::reaches(family, &shell.reaches));
+    let (signs, reaches) = (nonnegative::of_quotients(family, forms), reach::lines(family, &shell.reaches));
     let bounds = [signs, reaches, rounding::lines(&proved, family)].concat();
     let docs = docs::family(told, &formulas, &bounds, verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
@@ -435,14 +435,19 @@ impl OnSpan<'_> {
         let input = |input| match input {
             Input::Coordinate(0) if analytic.is_empty() => quote_spanned!(site()=> t),
             Input::Coordinate(0) => quote_spanned!(site()=> s),
-            Input::Shape(k) => match analytic.angles.get(k - shapes) {
-                Some(angle) => self.tangent(angle, "tan", "tanh"),
-                None => self.tangent(
-                    &analytic.angles[k - shapes - analytic.angles.len()],
-                    "tan_complement",
-                    "tanh_complement",
-                ),
-            },
+            Input::Shape(k) => {
+                let angle = &analytic.angles[(k - shapes) % analytic.angles.len()];
+                let plus = quote_spanned!(site()=>);
+                match (k - shapes) / analytic.angles.len() {
+                    0 => self.tangent(angle, "tan", "tanh", &plus),
+                    1 => self.tangent(angle, "tan_complement", "tanh_complement", &plus),
+                    // 1 + tanh x = 1 − tanh(−x)
+                    _ => {
+                        let minus = quote_spanned!(site()=> -);
+                        self.tangent(angle, "tan_complement", "tanh_complement", &minus)
+                    }
+                }
+            }
             _ => quote_spanned!(site()=> x),
         };
         self.shell.body_by(plan, &input, self.bernstein())
@@ -456,15 +461,18 @@ impl OnSpan<'_> {
         )]
     }
 
-    /// The tangent of a shape parameter, by one of two functions of the runtime.
-    fn tangent(&self, angle: &Angle, circular: &str, hyperbolic: &str) -> TokenStream {
+    /// The tangent of a shape parameter or of its negative, by one of two functions of the runtime.
+    fn tangent(&self, angle: &Angle, circular: &str, hyperbolic: &str, sign: &TokenStream) -> TokenStream {
         let Self { runtime, family, shell, .. } = self;
         let field = family.shapes.iter().position(|p| p.var == angle.var).map(|k| &shell.fields[k]);
         let rate = angle.speed();
         let rate = number(&rate);
         let function = if angle.kind == Kind::Hyperbolic { hyperbolic } else { circular };
         let function = Ident::new(function, site());
-        quote_spanned!(site()=> #runtime::__private::#function(#rate * self.#field))
+        if sign.is_empty() {
+            return quote_spanned!(site()=> #runtime::__private::#function(#rate * self.#field));
+        }
+        quote_spanned!(site()=> #runtime::__private::#function(#sign(#rate * self.#field)))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Puts nodes together to a plan.
 
+use super::corners::Corners;
 use super::{Input, Let, Node, Plan, Ref};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
@@ -13,6 +14,8 @@ pub(super) struct Variable {
     pub(super) value: Ref,
     /// 1 minus the value, where that is known without a difference.
     pub(super) complement: Option<Ref>,
+    /// 1 plus the value, likewise.
+    pub(super) rise: Option<Ref>,
     /// Whether the value is compared with the ends of the range, and not computed.
     pub(super) is_given: bool,
 }
@@ -23,6 +26,8 @@ pub(super) struct Builder {
     nodes: Vec<Node>,
     /// What can stand in expressions in shape values.
     pub(super) variables: Vec<Variable>,
+    /// The ends of their ranges, where some are tangents.
+    pub(super) corners: Corners,
     /// The polynomials in shape values that have a name.
     pub(super) named: Vec<(Poly, Ref)>,
     /// The denominators whose reciprocals have a name.

@@ -13,6 +13,7 @@
 //! | `ends` | control points next to an end of a curve, from its derivatives there |
 //! | `join` | the control points that a join of a spec determines |
 //! | `scalars`, `powers` | what these are built of: expressions in shape values, powers of coordinates |
+//! | `corners` | differences that have no digits where exponentials are large |
 //! | `sign` | which values rounding could make negative |
 //! | `reach` | the shape values beyond which exponentials overflow |
 //!
@@ -20,6 +21,7 @@
 //! simplices and boxes.
 
 mod build;
+mod corners;
 pub mod denominator;
 pub mod ends;
 pub mod form;
@@ -77,8 +79,8 @@ pub enum Input {
     /// A coordinate of the point of the domain: the parameter t, a variable of a box, a barycentric coordinate.
     Coordinate(usize),
     /// The value of a shape parameter, or of a scalar of a join; after those of a family with angles the tangents of its
-    /// parameters, at the positions of the angles in [`Analytic::angles`](crate::model::angle::Analytic), and what is missing
-    /// from these to 1.
+    /// parameters, at the positions of the angles in [`Analytic::angles`](crate::model::angle::Analytic), then what is missing
+    /// from these to 1, then 1 plus these.
     Shape(usize),
     /// One component of a control point; all components are treated alike.
     Point(usize),

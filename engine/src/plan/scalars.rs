@@ -1,6 +1,7 @@
 //! Expressions in shape values and other scalars: each distinct one is computed once.
 
 use super::build::{Builder, Variable};
+use super::corners::{Corners, by_distances};
 use super::form::MAX_CONTENT;
 use super::{Input, Let, Node, Ref};
 use crate::algebra::fraction::Fraction;
@@ -24,13 +25,17 @@ impl Builder {
     }
 
     fn add(&mut self, var: Var, range: Range, value: Ref, is_given: bool) {
-        self.variables.push(Variable { var, range, value, complement: None, is_given });
+        self.variables.push(Variable { var, range, value, complement: None, rise: None, is_given });
     }
 
     /// The variables of a family with angles that stand for tangents of its shape parameters, for these themselves, and
     /// for π and exp(r).
     pub(super) fn tangents(&mut self, family: &Family) {
         let anywhere = || Range { low: End::Infinite, high: End::Infinite };
+        let (shapes, angles) = (family.shapes.len(), family.analytic.angles.len());
+        if angles > 0 {
+            self.corners = Corners::of(family);
+        }
         for (j, angle) in family.analytic.angles.iter().enumerate() {
             let Some(k) = self.variables.iter().position(|v| v.var == angle.var) else { continue };
             if angle.kind == Kind::Linear {
@@ -38,7 +43,7 @@ impl Builder {
                 self.add(angle.itself, anywhere(), itself, false);
                 continue;
             }
-            let tangent = self.input(Input::Shape(family.shapes.len() + j));
+            let tangent = self.input(Input::Shape(shapes + j));
             // Not every function needs it.
             self.units.push(Let { names: vec![format!("_tangent{j}")], value: tangent });
             let itself = core::mem::replace(&mut self.variables[k].value, tangent);
@@ -46,10 +51,15 @@ impl Builder {
             self.add(angle.itself, anywhere(), itself, false);
             let to_one = self.variables[k].range.high.value().is_some_and(Rational::is_one);
             if angle.kind == Kind::Hyperbolic || to_one {
-                let complement =
-                    self.input(Input::Shape(family.shapes.len() + family.analytic.angles.len() + j));
+                let complement = self.input(Input::Shape(shapes + angles + j));
                 self.units.push(Let { names: vec![format!("_complement{j}")], value: complement });
                 self.variables[k].complement = Some(complement);
+            }
+            let from_minus_one = self.variables[k].range.low.value() == Some(&-Rational::ONE);
+            if angle.kind == Kind::Hyperbolic && from_minus_one {
+                let rise = self.input(Input::Shape(shapes + 2 * angles + j));
+                self.units.push(Let { names: vec![format!("_rise{j}")], value: rise });
+                self.variables[k].rise = Some(rise);
             }
         }
         for (var, number) in family.analytic.values() {
@@ -138,14 +148,18 @@ impl Builder {
         let mut rest = content.recip().map_or_else(|| poly.clone(), |factor| poly.scale(&factor));
         let mut factors: Vec<Ref> = Vec::new();
         for k in 0..self.variables.len() {
-            let Variable { var, range, value, complement, .. } = &self.variables[k];
-            let (var, value, complement) = (*var, *value, *complement);
+            let Variable { var, range, value, complement, rise, .. } = &self.variables[k];
+            let (var, value, complement, rise) = (*var, *value, *complement, *rise);
             let ends = [(range.low.value().cloned(), true), (range.high.value().cloned(), false)];
             for (end, from_low) in ends {
                 let Some(end) = end else { continue };
                 let at_end = Poly::constant(end.clone());
                 let factor = if from_low { &Poly::var(var) - &at_end } else { &at_end - &Poly::var(var) };
-                let known = complement.filter(|_| !from_low && end.is_one());
+                let known = if from_low {
+                    rise.filter(|_| end == -Rational::ONE)
+                } else {
+                    complement.filter(|_| end.is_one())
+                };
                 let worthwhile = |rest: &Poly| known.is_some() || rest.total_degree() > 1;
                 while let Some(quotient) = rest.div_exact(&factor).filter(|_| worthwhile(&rest)) {
                     if rest.is_zero() {
@@ -156,7 +170,10 @@ impl Builder {
                 }
             }
         }
-        let piece = self.sum(&rest);
+        let piece = match self.by_distances(&rest) {
+            Some(value) => Piece { negative: false, value },
+            None => self.sum(&rest),
+        };
         if factors.is_empty() && content.is_one() {
             return self.signed(&piece);
         }
@@ -167,6 +184,42 @@ impl Builder {
             factors.push(self.number(content));
         }
         self.product(&factors)
+    }
+
+    /// A polynomial that is 0 at a corner of its tangents: by the distances from the ends of the range of one of these, see
+    /// [`corners`](super::corners). `None` for others.
+    fn by_distances(&mut self, poly: &Poly) -> Option<Ref> {
+        if !self.corners.cancels(poly) || !self.corners.is_short(poly) {
+            return None;
+        }
+        let (var, ends) = self.corners.tangent(poly)?;
+        let coefficients = by_distances(poly, var, ends);
+        let Variable { value, complement, rise, .. } = *self.variables.iter().find(|v| v.var == var)?;
+        let [low, high] = ends.clone();
+        let s = complement.filter(|_| high.is_one()).unwrap_or_else(|| self.distance(value, &high, false));
+        let x = rise.filter(|_| low.is_negative()).unwrap_or_else(|| self.distance(value, &low, true));
+        let (mut sum, mut power): (Option<Ref>, Option<Ref>) = (None, None);
+        for (k, c) in coefficients.iter().enumerate() {
+            if k > 0 {
+                sum = sum.map(|sum| self.times(sum, s));
+                power = Some(power.map_or(x, |power| self.push(Node::Product(power, x))));
+            }
+            if c.is_zero() {
+                continue;
+            }
+            let coefficient = self.factored(c);
+            let term = power.map_or(coefficient, |power| self.times(coefficient, power));
+            sum = Some(sum.map_or(term, |sum| self.push(Node::Sum(sum, term))));
+        }
+        sum
+    }
+
+    /// a·b without a factor 1.
+    fn times(&mut self, a: Ref, b: Ref) -> Ref {
+        match self.node(a) {
+            Node::Number(c) if c.is_one() => b,
+            _ => self.push(Node::Product(a, b)),
+        }
     }
 
     /// λ − end, or end − λ.

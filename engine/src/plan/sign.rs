@@ -147,10 +147,9 @@ impl Builder {
             // Those of a simplex, or on a chart; the parameter of an interval stands in units only.
             Node::Input(Input::Coordinate(_)) | Node::CutOff(_) => Interval::NONNEGATIVE,
             Node::Input(_)
-                if self
-                    .variables
-                    .iter()
-                    .any(|v| v.complement.is_some_and(|c| c.position() == at.position())) =>
+                if self.variables.iter().any(|v| {
+                    [v.complement, v.rise].iter().flatten().any(|c| c.position() == at.position())
+                }) =>
             {
                 Interval::NONNEGATIVE
             }

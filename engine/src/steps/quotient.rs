@@ -65,6 +65,17 @@ struct Turn {
     balance: Scalar,
 }
 
+/// What is computed of the tangent x of a shape parameter.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    /// x
+    Whole,
+    /// 1 − x
+    Rest,
+    /// 1 + x
+    Rise,
+}
+
 /// Makes the derived values of all spans.
 struct Deriving {
     builder: Builder,
@@ -100,8 +111,8 @@ impl Deriving {
         self.shapes + place
     }
 
-    /// The arguments of the tangents of the shape parameters, and these, or what is missing to 1.
-    fn tangent(&mut self, family: &Family, angle: &Angle, complement: bool) -> usize {
+    /// The tangent of a shape parameter, or what is missing from it to 1, or 1 plus it.
+    fn tangent(&mut self, family: &Family, angle: &Angle, part: Part) -> usize {
         let shape = family.shapes.iter().position(|p| p.var == angle.var).unwrap_or(0);
         let rate = self.builder.constant(angle.speed());
         let input = self.builder.input(Input::Shape(shape));
@@ -109,23 +120,24 @@ impl Deriving {
         let name = family.name_of(&family.shapes[shape]);
         if angle.kind == Kind::Circular {
             let tangent = self.builder.call(Function::Tan, argument);
-            if complement {
+            if part == Part::Rest {
                 let rest = self.builder.tan_complement(argument, tangent);
                 return self.position(rest, &format!("rest_{name}"));
             }
             return self.position(tangent, &format!("tan_{name}"));
         }
-        if !complement {
+        if part == Part::Whole {
             let tangent = self.builder.call(Function::Tanh, argument);
             return self.position(tangent, &format!("tanh_{name}"));
         }
-        // 1 minus the hyperbolic tangent, without the difference.
+        // 1 minus the hyperbolic tangent, without the difference; 1 plus it is the same of −x.
+        let argument = if part == Part::Rise { self.builder.neg(argument) } else { argument };
         let two = self.builder.integer(2);
         let double = self.builder.mul(two, argument);
         let exponential = self.builder.call(Function::Expm1, double);
         let below = self.builder.add(two, exponential);
         let rest = self.builder.div(two, below);
-        self.position(rest, &format!("rest_{name}"))
+        self.position(rest, &format!("{}_{name}", if part == Part::Rise { "rise" } else { "rest" }))
     }
 
     fn span<'a>(&mut self, family: &'a Family, form: RationalForm, number: &str) -> Span<'a> {
@@ -141,10 +153,11 @@ impl Deriving {
         };
         let count = analytic.angles.len();
         let mut tangents = Vec::new();
-        for k in 0..2 * count {
-            let place =
-                if used(k) { self.tangent(family, &analytic.angles[k % count], k >= count) } else { 0 };
-            tangents.push(place);
+        for (j, part) in [Part::Whole, Part::Rest, Part::Rise].into_iter().enumerate() {
+            for (k, angle) in analytic.angles.iter().enumerate() {
+                let place = if used(j * count + k) { self.tangent(family, angle, part) } else { 0 };
+                tangents.push(place);
+            }
         }
         let low_and_high = [format!("low{number}"), format!("high{number}")];
         let Some(angle) = analytic.angle(form.numerators.var) else {

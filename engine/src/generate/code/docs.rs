@@ -2,7 +2,6 @@
 
 use crate::claim::Claim;
 use crate::model::{Factor, Family};
-use crate::plan::reach::{FLOATS, Reach, decimal};
 use crate::plural::count;
 use crate::state::{FEW, Verdict, parts};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -47,24 +46,6 @@ pub(in crate::generate) fn family(
         lines.extend(claims(verdicts, decided));
     }
     lines
-}
-
-/// How far floats reach in the shape parameters of a family; nothing where they reach everywhere.
-pub(in crate::generate) fn reaches(family: &Family, reaches: &[Option<Reach>]) -> Vec<String> {
-    let named = || family.shapes.iter().zip(reaches).filter_map(|(p, reach)| Some((p, reach.as_ref()?)));
-    if named().next().is_none() {
-        return Vec::new();
-    }
-    let each = |(k, (floats, _)): (usize, &(&str, i64))| {
-        let ends = named().map(|(p, reach)| format!("`{} <= {}`", family.name_of(p), decimal(&reach[k])));
-        format!("{} in {floats}", ends.listed().join(", "))
-    };
-    let all = FLOATS.iter().enumerate().map(each).listed().join(" and ");
-    let text = format!(
-        "Floats reach {all}: beyond, exponentials in the values or in their first two derivatives could overflow, and such shape \
-         values are refused."
-    );
-    vec![String::new(), text]
 }
 
 /// The table of claims with its heading. Many claims of one statement that stand alike share a row.

@@ -4,5 +4,6 @@
 pub(super) mod docs;
 pub(super) mod floats;
 pub(super) mod names;
+pub(super) mod reach;
 pub(super) mod shell;
 pub(super) mod tokens;

@@ -145,15 +145,28 @@ impl Shell<'_> {
                 #runtime::__private::check_shape(#title, #parameter, #field, #low, #high, #range)?
             };
             let Some(reach) = reach else { return quote_spanned!(site()=> #field: #value) };
-            let reaches = FLOATS.iter().zip(reach).map(|((floats, _), reach)| {
-                let text =
-                    format!("{range}, of which {floats} reaches {parameter} <= {}", reach::decimal(reach));
-                let reach = float(reach);
-                quote_spanned!(site()=> (#reach, #text))
-            });
-            quote_spanned! {site()=>
-                #field: #runtime::__private::check_reach(#title, #parameter, #value, [#(#reaches),*])?
+            let ends = [
+                (&reach.high, "<=", Ident::new("check_reach", site())),
+                (&reach.low, ">=", Ident::new("check_reach_below", site())),
+            ];
+            let mut checked = value;
+            for (ends, sign, function) in ends {
+                let Some(ends) = ends else { continue };
+                let reaches = FLOATS.iter().zip(ends).map(|((floats, ..), end)| {
+                    let last = reach::decimal(end);
+                    let text = if range == parameter {
+                        format!("{parameter} {sign} {last}, as far as {floats} reaches")
+                    } else {
+                        format!("{range}, of which {floats} reaches {parameter} {sign} {last}")
+                    };
+                    let end = signed(end);
+                    quote_spanned!(site()=> (#end, #text))
+                });
+                checked = quote_spanned! {site()=>
+                    #runtime::__private::#function(#title, #parameter, #checked, [#(#reaches),*])?
+                };
             }
+            quote_spanned!(site()=> #field: #checked)
         });
         let all = arguments(family, fields);
         let declared = all.iter().map(|a| {
@@ -291,23 +304,21 @@ pub(crate) fn shape_ends(family: &Family, parameter: &Parameter) -> [End; 2] {
     })
 }
 
+/// A number as a float.
+fn signed(value: &Rational) -> TokenStream {
+    let literal = float(value);
+    if value.is_negative() { quote_spanned!(site()=> -#literal) } else { quote_spanned!(site()=> #literal) }
+}
+
 pub(in crate::generate) fn bound(end: &End, core: &TokenStream) -> TokenStream {
-    let literal = |value: &Rational| {
-        let literal = float(value);
-        if value.is_negative() {
-            quote_spanned!(site()=> -#literal)
-        } else {
-            quote_spanned!(site()=> #literal)
-        }
-    };
     match end {
         End::Infinite => quote_spanned!(site()=> #core::ops::Bound::Unbounded),
         End::Included(value) => {
-            let value = literal(value);
+            let value = signed(value);
             quote_spanned!(site()=> #core::ops::Bound::Included(#value))
         }
         End::Excluded(value) => {
-            let value = literal(value);
+            let value = signed(value);
             quote_spanned!(site()=> #core::ops::Bound::Excluded(#value))
         }
     }
