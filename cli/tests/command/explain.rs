@@ -357,6 +357,42 @@ fn zeros_and_extrema() {
     assert!(!run.stdout.contains("b[1]: "), "{}", run.stdout);
 }
 
+/// With shape parameters for all of their values where they are quotients of these, else at values that are named; of angles by
+/// their tangents, or by themselves at ends and where these vanish.
+#[test]
+fn zeros_and_extrema_with_parameters_and_angles() {
+    let spec = "family Cardinal { domain 0 <= t <= 1; shape 0 <= τ <= 1;
+            b[0] = -τ*t*(1 - t)^2; b[1] = 1 - b[0] - b[2]; b[2] = t^2*(3 - 2*t); }
+        family Keys { domain 1 <= x <= 2; shape -1 <= a < 0; k[0] = a*(x^3 - 5*x^2 + 8*x - 4); }
+        family Ends { shape 0 < c; domain 0 <= x <= c; e[0] = x*(x - c)/c; e[1] = (c - 2*x)/c; }
+        family Pole { domain 0 <= t < 1; p[0] = (t - 1/2)/(1 - t); p[1] = t - 1/3; }
+        family Sines { domain 0 <= θ <= pi/2;
+            s[0] = 1 - 2*sin(θ); s[1] = 1 - cos(4*θ) - 2*sin(2*θ); s[2] = cos(θ); }
+        family Turn { domain 0 <= t <= 1; r[0] = cos(pi*t); }
+        family Sampled { domain 0 <= t <= 1; shape -1 <= λ <= 1; q[0] = t*(1 - t)*(2*t - 1 - λ*t^2); }
+        family Irrational { domain 0 <= t <= 1; i[0] = (t^2 - 1/2)*(t^3 + t - 1); }";
+    let folder = Folder::with("t.basis", spec);
+    let run = folder.run(&["explain", "t.basis"]);
+    for line in [
+        "b[0]: zero at t = 0, t = 1; least value -4/27*τ at t = 1/3; greatest value 0 at t = 0, t = 1",
+        "k[0]: zero at x = 1, x = 2; least value 4/27*a at x = 4/3; greatest value 0 at x = 1, x = 2",
+        "e[0]: zero at x = 0, x = c; least value -1/4*c at x = 1/2*c; greatest value 0 at x = 0, x = c",
+        "e[1]: zero at x = 1/2*c; least value -1 at x = c; greatest value 1 at x = 0",
+        // Without a bound next to its end.
+        "p[1]: zero at t = 1/3; least value -1/3 at t = 0; greatest value 2/3 at t = 1",
+        "s[0]: zero at tan(θ/2) = 2 - sqrt(3); least value -1 at θ = pi/2; greatest value 1 at θ = 0",
+        // 2S² - 2S with S = sin 2θ: -1/2 at S = 1/2, which are θ = π/12 and 5π/12; 0 at S = 0 and 1.
+        "s[1]: zero at θ = 0, tan(θ/2) = -1 + sqrt(2), θ = pi/2; least value -1/2 at tan(θ/2) = 0.131652498",
+        "r[0]: zero at t = 1/2; least value -1 at t = 1; greatest value 1 at t = 0",
+        "q[0] at λ = 0: zero at t = 0, t = 1/2, t = 1; least value -1/18*sqrt(3) at t = 1/2 - 1/6*sqrt(3)",
+        // A root of a quadratic factor has a square root, one of a cubic factor a decimal.
+        "i[0]: zero at t = 0.682327804 (root of -1 + x + x^3 between 0.682 and 0.683), t = 1/2*sqrt(2); least ",
+    ] {
+        assert!(run.stdout.contains(line), "{line} is missing in\n{}", run.stdout);
+    }
+    assert!(!run.stdout.contains("p[0]: ") && !run.stdout.contains("s[2]: "), "{}", run.stdout);
+}
+
 #[test]
 fn verdicts_are_summed_up() {
     let spec = "family F { domain 0 <= t <= 1; b[0] = t; b[1] = 1 - t; b[2] = 0;

@@ -1,8 +1,12 @@
 //! Zeros, least and greatest values of functions of one variable that are negative somewhere.
 
+mod parametric;
+
 use core::cmp::Ordering;
 
-use crate::algebra::poly::Poly;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::real::algebraic::{Algebraic, number};
 use crate::algebra::real::field::Field;
@@ -10,8 +14,10 @@ use crate::algebra::real::roots::isolate;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::model::Family;
-use basis_prover::Coordinate;
-use basis_prover::collections::list::Mapped;
+use crate::model::angle::{Kind, multiple_of_pi};
+use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_unique;
+use basis_prover::{Coordinate, candidates, typical};
 
 /// The work for the extrema of a family.
 const WORK: u64 = 20_000_000;
@@ -38,35 +44,100 @@ pub struct Extremum {
     pub at: Vec<String>,
 }
 
-/// The functions that are negative somewhere on the domain: nothing for families of several variables, with shape
-/// parameters, or with sin, exp or the like. An end that the domain leaves out counts, as a limit.
+/// The functions of one variable that are negative somewhere on the domain; an end that the domain leaves out counts, as a
+/// limit. With shape parameters for all of their values, where zeros and extrema are quotients of polynomials in them, or at
+/// values that are named. Nothing is said of functions that contain π, exp(r) or a variable beside its sine.
 pub fn extrema(family: &Family) -> Vec<Extrema> {
-    let Some((var, low, high)) = family.interval() else { return Vec::new() };
-    if !family.shapes.is_empty() || !family.analytic.is_empty() {
+    if family.interval().is_none() {
         return Vec::new();
     }
-    let work = &mut Work::new(WORK);
-    let name = &family.names[var.0];
     let mut all = Vec::new();
-    for (k, f) in family.functions.iter().enumerate() {
-        let part = |p: &Poly| Univariate::from_poly(p, var);
-        let (Some(numer), Some(denom)) = (part(f.value.numer()), part(f.value.denom())) else { continue };
-        // Without work for one function there is none for the others.
-        let Some(found) = of_function(&numer, &denom, low, high, work) else { return all };
-        let Some((zeros, least, greatest)) = found else { continue };
-        let at = |points: &[Coordinate]| points.mapped(|x| format!("{name} = {}", text(x)));
-        let extremum = |(value, points): (Coordinate, Vec<Coordinate>)| Extremum {
-            value: text(&value),
-            at: at(&points),
-        };
-        all.push(Extrema {
-            label: family.function_label(k),
-            zeros: at(&zeros),
-            minimum: extremum(least),
-            maximum: extremum(greatest),
-        });
-    }
+    basis_prover::within(WORK, &mut || {
+        let work = &mut Work::new(WORK);
+        let sample = sample(family);
+        for (k, f) in family.functions.iter().enumerate() {
+            let label = family.function_label(k);
+            let found = match parametric::of_function(family, &f.value, work) {
+                Some(found) => found.map(|found| Extrema { label, ..found }),
+                // Without work for one function there is none for the others.
+                None => match at_sample(family, (&label, &f.value), &sample, work) {
+                    Some(found) => found,
+                    None => return,
+                },
+            };
+            all.extend(found);
+        }
+    });
     all
+}
+
+/// Shape values that satisfy what is assumed, away from the ends of their ranges where that is possible.
+fn sample(family: &Family) -> Vec<(Var, Rational)> {
+    let pieces = family.pieces(&[], &[], true);
+    let Some(piece) = pieces.first() else { return Vec::new() };
+    let inside = |range: &Range| {
+        let is_end = |x: &Rational| [&range.low, &range.high].iter().any(|end| end.value() == Some(x));
+        candidates(range, 3).into_iter().find(|x| !is_end(x)).unwrap_or_else(|| typical(range))
+    };
+    let point = piece.ranges.mapped(|(var, range)| (*var, Coordinate::Rational(inside(range))));
+    let rational = |(var, c): (Var, Coordinate)| match c {
+        Coordinate::Rational(x) => Some((var, x)),
+        Coordinate::Algebraic(_) => None,
+    };
+    piece.image(&point).into_iter().filter_map(rational).listed()
+}
+
+/// What is known of a function at some shape values; nothing inside if it is negative nowhere or contains other variables,
+/// `None` when the work is spent.
+#[expect(clippy::option_option, reason = "the work may be spent")]
+fn at_sample(
+    family: &Family,
+    (label, f): (&str, &Fraction),
+    sample: &[(Var, Rational)],
+    work: &mut Work,
+) -> Option<Option<Extrema>> {
+    let Some((var, low, high)) = family.interval() else { return Some(None) };
+    let put = |f: &Fraction| {
+        let put = |f: Fraction, (v, x): &(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
+        sample.iter().try_fold(f.clone(), put)
+    };
+    let part = |p: &Poly| Univariate::from_poly(p, var);
+    let parts = put(f).and_then(|f| Some((part(f.numer())?, part(f.denom())?)));
+    let Some((numer, denom)) = parts else { return Some(None) };
+    if [low, high].iter().any(|end| denom.sign_at(end) == 0) {
+        return Some(None); // without a bound next to an end that the domain leaves out
+    }
+    let Some((zeros, least, greatest)) = of_function(&numer, &denom, low, high, work)? else {
+        return Some(None);
+    };
+    let angle = family.analytic.angle(var);
+    let place = |x: &Coordinate| {
+        let own = format!("{} = {}", family.names[var.0], text(x));
+        let (Some(angle), Coordinate::Rational(x)) = (angle, x) else { return own };
+        if angle.kind != Kind::Linear {
+            let end = [low, high].into_iter().position(|end| end == x).map(|k| &angle.ends[k]);
+            if let Some(end) = end.filter(|end| !end.is_empty()) {
+                return format!("{} = {end}", angle.name);
+            }
+            // Where the tangent vanishes, its argument does.
+            let tangent = angle.tangent().substitute(var, &Fraction::constant(x.clone()));
+            if tangent.is_some_and(|x| x.is_zero()) {
+                let shift = &angle.shift;
+                let shown = if angle.turns { shift.to_string() } else { multiple_of_pi(shift) };
+                return format!("{} = {shown}", angle.name);
+            }
+            return own;
+        }
+        let itself = put(&angle.tangent()).and_then(|f| f.substitute(var, &Fraction::constant(x.clone())));
+        itself.map_or(own, |f| format!("{} = {}", angle.name, super::written(family, &f)))
+    };
+    let at = |points: &[Coordinate]| points.mapped(place);
+    let extremum =
+        |(value, points): (Coordinate, Vec<Coordinate>)| Extremum { value: text(&value), at: at(&points) };
+    let shown = sample.iter().filter(|(v, _)| family.shapes.iter().any(|p| p.var == *v));
+    let shown: Vec<String> = shown.map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
+    let label = if shown.is_empty() { label.to_owned() } else { format!("{label} at {}", shown.join(", ")) };
+    Some(Some(Extrema { label, zeros: at(&zeros), minimum: extremum(least), maximum: extremum(greatest) }))
 }
 
 /// A value and the points at which it is taken.
@@ -132,7 +203,7 @@ fn roots(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work) -> Op
         root.detect_rational(&p, work)?;
         all.push(match number(&p, &root)? {
             Ok(x) => Coordinate::Rational(x),
-            Err(x) => Coordinate::Algebraic(x.tidy(work)?),
+            Err(x) => Coordinate::Algebraic(quadratic(&x.tidy(work)?, work)?),
         });
     }
     Some(all)
@@ -155,7 +226,10 @@ fn value(numer: &Univariate, denom: &Univariate, x: &Coordinate, work: &mut Work
             let value = field.reduce(&value, work)?;
             Some(match field.number(&value, work)? {
                 Ok(x) => Coordinate::Rational(x),
-                Err(x) => rational(&x, work)?.map_or(Coordinate::Algebraic(x), Coordinate::Rational),
+                Err(x) => match rational(&x, work)? {
+                    Some(x) => Coordinate::Rational(x),
+                    None => Coordinate::Algebraic(quadratic(&x, work)?),
+                },
             })
         }
     }
@@ -168,6 +242,60 @@ fn rational(x: &Algebraic, work: &mut Work) -> Option<Option<Rational>> {
     let Some(root) = all.first_mut() else { return Some(None) };
     root.detect_rational(x.polynomial(), work)?;
     Some(number(x.polynomial(), root)?.ok())
+}
+
+/// The number as a root of a quadratic factor of its polynomial, if it is one; else of what is left without these factors.
+/// Factors a·x² + b·x + c with whole numbers have values at 0, 1 and −1 that divide those of the polynomial.
+fn quadratic(x: &Algebraic, work: &mut Work) -> Option<Algebraic> {
+    const MOST: usize = 5_000;
+    let mut p = x.polynomial().primitive();
+    if p.degree() < 3 {
+        return Some(x.clone());
+    }
+    let as_root = |of: &Univariate| Algebraic::new(of, x.low().clone(), x.high().clone());
+    let at = |y: i64| {
+        let y = Rational::from(y);
+        p.coefficients().iter().rev().fold(Rational::ZERO, |sum, c| &(&sum * &y) + c).to_i64()
+    };
+    let [Some(c), Some(e), Some(f)] = [at(0), at(1), at(-1)].map(|value| value.and_then(divisors)) else {
+        return Some(x.clone());
+    };
+    if c.len() * e.len() * f.len() > MOST {
+        return Some(x.clone());
+    }
+    for c in &c {
+        for e in &e {
+            // a + b + c and a − b + c are ±e and ±f, up to the sign of all.
+            for (e, f) in f.iter().flat_map(|f| [(*e, *f), (*e, -f), (-e, *f), (-e, -f)]) {
+                let a = (e + f) / 2 - c;
+                if (e + f) % 2 != 0 || a == 0 || p.degree() < 3 {
+                    continue;
+                }
+                work.spend(10 * p.degree() as u64)?;
+                let factor = Univariate::integers(&[*c, (e - f) / 2, a]);
+                let Some(rest) = p.div_exact(&factor) else { continue };
+                if factor.sign_at(x.low()) * factor.sign_at(x.high()) == -1 {
+                    return Some(as_root(&factor.normalized()).unwrap_or_else(|| x.clone()));
+                }
+                p = rest;
+            }
+        }
+    }
+    Some(as_root(&p.normalized()).unwrap_or_else(|| x.clone()))
+}
+
+/// The positive divisors of a number that is not 0; `None` of large ones.
+fn divisors(n: i64) -> Option<Vec<i64>> {
+    const LARGEST: u64 = 100_000_000;
+    let n = n.unsigned_abs();
+    if n == 0 || n > LARGEST {
+        return None;
+    }
+    let small = (1..).take_while(|k| k * k <= n).filter(|k| n % k == 0).listed();
+    let large = small.iter().map(|k| n / k).listed();
+    let mut all = [small, large].concat();
+    sort_unique(&mut all);
+    Some(all.into_iter().map(|k| k as i64).listed())
 }
 
 fn compare(a: &Coordinate, b: &Coordinate, work: &mut Work) -> Option<Ordering> {
@@ -246,7 +374,6 @@ fn square_root(x: &Algebraic) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use basis_prover::collections::list::Listed;
 
     /// A value, and where it is taken.
     type Text = (String, Vec<String>);

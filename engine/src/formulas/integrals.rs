@@ -22,8 +22,9 @@ impl Reader<'_, '_> {
             }
             _ => return None,
         };
-        if bounds.is_none() && scope.span.is_some() {
-            return self.over_spans(scope, f);
+        if scope.span.is_some() {
+            // Between bounds it is about parts of the spans, which are not told apart here.
+            return if bounds.is_none() { self.over_spans(scope, f) } else { None };
         }
         let value = self.value(scope, f)?;
         self.over(scope, value, bounds.as_ref())

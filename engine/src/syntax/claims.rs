@@ -310,6 +310,15 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
             && input.peek(Token![;])
         {
             let text = word.to_string();
+            // `smooth(1)` and `continuity(1)` are about the whole family like the others.
+            let counts = matches!(text.as_str(), "smooth" | "continuity");
+            if counts && matches!(left.kind, ExprKind::Call(..)) {
+                let help = format!(
+                    "write `prove {text}(…);` outside of `at`; at fixed shape values, claim the equations of the derivatives"
+                );
+                let message = format!("`{text}` is a property of the whole family, not an equation");
+                return Err(error(word.span(), message, help));
+            }
             if PROPERTIES.contains(&text.as_str()) && matches!(left.kind, ExprKind::Call(..)) {
                 let help = format!(
                     "write `prove {text};` for all functions; of one function write an inequality, `b[0] >= 0`"

@@ -79,11 +79,6 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
                 errors.push(e);
                 if !goes_on {
                     skip_statement(&content);
-                    // The other case of a formula with cases.
-                    while at_word(&content, "else") {
-                        skip_statement(&content);
-                        let _ = content.parse::<Option<Token![;]>>();
-                    }
                 }
                 if about_functions {
                     names_between(&start, &content, &mut unread);

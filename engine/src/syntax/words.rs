@@ -115,7 +115,13 @@ pub(super) fn skip_statement(input: ParseStream<'_>) {
         let _ = input.parse::<TokenTree>();
         match token {
             TokenTree::Punct(p) if p.as_char() == ';' => return,
-            TokenTree::Group(g) if g.delimiter() == Delimiter::Brace => return,
+            // Cases as programs have them, `if c { x } else { y } for i in 0..=n;`, are one statement.
+            TokenTree::Group(g) if g.delimiter() == Delimiter::Brace => {
+                if !["else", "for", "if"].iter().any(|word| at_word(input, word)) {
+                    let _ = input.parse::<Option<Token![;]>>();
+                    return;
+                }
+            }
             _ => {}
         }
     }

@@ -590,3 +590,67 @@ fn a_parameter_that_begins_above_the_domain() {
     );
     assert_eq!(found, ["about -0.478460 at α = 1, t = 0", "0 at tanh(α/2) = 1/2, t = α"]);
 }
+
+/// Functions are dependent with combinations of numbers, and of such as exp(1) and π, whatever the numbers are that their
+/// coefficients contain.
+#[test]
+fn dependent_whatever_the_numbers_are() {
+    let spec = "family Exponentials {
+            domain 1 <= t <= 2;
+            b[0] = exp(t); b[1] = sinh(t); b[2] = cosh(t);
+            refute independent;
+        }
+        family Shaped {
+            domain 1 <= t <= 2;
+            shape 0 <= a <= 1;
+            b[0] = exp(t); b[1] = a*sinh(t) + 1; b[2] = cosh(t) - 1;
+            refute independent;
+        }
+        family Shifted {
+            domain 0 <= t <= 1;
+            b[0] = exp(t); b[1] = exp(t + 1);
+            refute independent;
+        }
+        family Divided {
+            domain 0 <= t <= pi/2;
+            b[0] = (t - sin(t))/(pi/2 - 1);
+            b[1] = sin(t);
+            b[2] = t;
+            refute independent;
+        }
+        family OnSpans {
+            domain 0 <= t <= 1, 1 <= t <= 2;
+            b[0] = exp(t) | exp(t - 1);
+            b[1] = sinh(t) | 0;
+            b[2] = cosh(t) | exp(t - 1);
+            refute independent;
+        }
+        family Independent {
+            domain 1 <= t <= 2;
+            b[0] = exp(t); b[1] = sinh(t); b[2] = 1;
+            prove independent;
+        }
+        family OnOneSpan {
+            domain 0 <= t <= 1, 1 <= t <= 2;
+            b[0] = exp(t) | exp(t);
+            b[1] = exp(t + 1) | exp(t);
+            prove independent;
+        }";
+    let found = counterexamples(spec);
+    assert_eq!(found.len(), 5, "{found:?}");
+    let report = check(Source::text("numbers.basis", spec));
+    let mut combinations = Vec::new();
+    for (_, verdict) in report.items.iter().flat_map(|item| &item.claims) {
+        if let basis_engine::Verdict::Refuted(witness) = verdict {
+            combinations.push(witness.of.as_str());
+        }
+    }
+    let all = [
+        "b[0] - b[1] - b[2]",
+        "b[0] - b[1] - b[2]",
+        "exp(1)*b[0] - b[1]",
+        "(2 - pi)*b[0] - 2*b[1] + 2*b[2]",
+        "b[0] - b[1] - b[2]",
+    ];
+    assert_eq!(combinations, all);
+}

@@ -10,6 +10,7 @@ mod language_reference;
 mod library_of_specs;
 mod literature;
 mod one_mistake;
+mod over_spans;
 mod parts_of_a_turn;
 mod rechecked;
 mod related;

@@ -868,3 +868,29 @@ fn products_in_lowest_terms() {
     assert_eq!(refuted.len(), 4, "{found:?}");
     assert_eq!(refuted[3], "-9/10 at t = 0");
 }
+
+/// What is shown of a difference is in the variables as they are written, also where the domain ends at shape parameters.
+#[test]
+fn differences_are_in_the_variables_themselves() {
+    let report = basis_engine::check(basis_engine::Source::text(
+        "ends.basis",
+        "family Ends {
+            shape 0 < c;
+            domain 0 <= t <= c;
+            b[0] = (c - t)^2/c^2;
+            b[1] = t/c;
+            prove partition_of_unity;
+            prove b[0] = t^2*b[1];
+        }",
+    ));
+    let notes: Vec<&str> = report.diagnostics.iter().flat_map(|d| &d.notes).map(|n| n.as_str()).collect();
+    assert_eq!(
+        notes,
+        [
+            "the sum of the functions is `(c^2 - c*t + t^2)/c^2`",
+            "at c = 1, t = 1/2 it is 3/4",
+            "`b[0]` differs from `t^2*b[1]` by `(c^2 - 2*c*t + t^2 - c*t^3)/c^2`",
+            "at c = 1, t = 1/2 the difference is 1/8",
+        ]
+    );
+}

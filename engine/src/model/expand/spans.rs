@@ -55,7 +55,7 @@ pub(super) fn are_symmetric(pieces: &[Rc<Family>]) -> bool {
 impl Scope<'_> {
     /// Whether a value of the domain variable lies in another span than this one; of two that share a knot in neither. Where it
     /// depends on shape parameters it is looked at with typical values of these: that it stays in the span is then to be shown.
-    pub(super) fn lies_elsewhere(&self, y: &Fraction, range: &Range, family: &Family) -> bool {
+    pub(crate) fn lies_elsewhere(&self, y: &Fraction, range: &Range, family: &Family) -> bool {
         if self.span.is_none() {
             return false;
         }

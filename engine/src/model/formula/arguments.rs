@@ -4,7 +4,7 @@ use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::model::scope::{Needed, Planned, Scope, Stage};
+use crate::model::scope::{CallSite, Needed, Planned, Scope, Stage};
 use crate::model::words::{BUILTINS, is_transcendental};
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind};
@@ -121,12 +121,20 @@ impl Scope<'_> {
             self.report(error.help("write a part of the formula out"));
             return None;
         }
+        if self.siblings.is_some() {
+            self.call_sites.push(CallSite {
+                parameters: parameters.mapped(|p| p.text.clone()),
+                arguments: arguments.to_vec(),
+                constants: self.constants.clone(),
+            });
+        }
         // What is around the call has no meaning in the formula of the name.
         let around = self.constants.split_off(self.order.min(self.constants.len()));
         let outer = core::mem::replace(&mut self.arguments, own);
         self.calls.push(name.to_string());
         let result = self.value(value);
         self.calls.pop();
+        self.call_sites.pop();
         self.arguments = outer;
         self.constants.extend(around);
         self.library.leave();

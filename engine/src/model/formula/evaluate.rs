@@ -468,11 +468,15 @@ impl Scope<'_> {
         }
         let shown: Vec<String> = index.mapped(i64::to_string);
         let message = format!("the index {} is outside of a list of {}", shown.join(","), list.len());
-        self.report(self.error(span, message).help(match list.last() {
-            Some((last, _)) if last.len() == 1 && index.len() == 1 => {
+        self.report(self.error(span, message).help(match (list.first(), list.last()) {
+            (_, Some((last, _))) if last.len() == 1 && index.len() == 1 => {
                 format!("indices run from 0 to {}", last[0])
             }
-            _ => String::from("the first index is 0"),
+            (Some((first, _)), _) if first.len() != index.len() => {
+                format!("an index has {} here, such as `{}`", count(first.len(), "place"), label("", first))
+            }
+            (Some((first, _)), _) => format!("the first index is `{}`", label("", first)),
+            _ => String::from("the list is empty"),
         }));
         None
     }

@@ -11,8 +11,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Kind};
-use crate::model::expand::names;
-use crate::model::scope::{Scope, Stage};
+use crate::model::scope::Scope;
 use crate::plural::here;
 use crate::syntax::{Expr, ExprKind};
 use basis_prover::collections::list::Listed;
@@ -28,12 +27,6 @@ const LEAVES: &str = "multiply by the denominator, or claim the derivative of an
 impl Scope<'_> {
     /// integral(f), integral(f, t, a, b).
     pub(crate) fn integral(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
-        if self.span.is_some()
-            && arguments.len() == 1
-            && (self.siblings.is_some() || self.stage == Stage::Defining)
-        {
-            return self.over_spans(arguments, span);
-        }
         let (f, bounds) = match arguments {
             [f] => (f, None),
             [f, variable, low, high] => (f, Some((self.integrated(variable)?, low, high))),
@@ -58,6 +51,22 @@ impl Scope<'_> {
             }
             None => None,
         };
+        let own = |var: Var| self.analytic.angle(var).map_or(var, |angle| angle.var);
+        let over_domain = bounds.as_ref().is_none_or(|(var, ..)| self.domain.contains(&own(*var)));
+        if over_domain && self.is_of_spans(f, bounds.is_none()) {
+            let bounds = bounds.map(|(_, low, high)| [low, high]);
+            return self.over_spans(f, bounds.as_ref(), span);
+        }
+        self.over_one(f, bounds, span)
+    }
+
+    /// The integral of the formulas of this scope.
+    pub(super) fn over_one(
+        &mut self,
+        f: &Expr,
+        bounds: Option<(Var, Fraction, Fraction)>,
+        span: Span,
+    ) -> Option<Value> {
         let bounds = match bounds {
             Some((var, low, high)) => Some(match self.analytic.angle(var).cloned() {
                 Some(angle) => {
@@ -83,48 +92,6 @@ impl Scope<'_> {
                 Some(Value::List(result))
             }
         }
-    }
-
-    /// The integral over several spans, the sum of those over each.
-    fn over_spans(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
-        let Some((pieces, written)) = self.siblings.clone() else {
-            let error = self.error(span, "an integral over several spans is allowed in claims only");
-            self.report(error.help("write the number that it is"));
-            return None;
-        };
-        let mut sum: Option<Value> = None;
-        for (k, piece) in pieces.iter().enumerate() {
-            let mut scope = Scope::of_family(self.library, self.unit, piece);
-            scope.span = Some((k, pieces.len()));
-            scope.constants.clone_from(&self.constants);
-            scope.order = self.order;
-            scope.arguments.clone_from(&self.arguments);
-            names::plan(&mut scope, written);
-            for def in names::names(written) {
-                names::declare(&mut scope, &def.name);
-                names::force(&mut scope, &def.name.text);
-            }
-            let value = scope.integral(arguments, span);
-            for error in scope.diagnostics.into_inner().into_list() {
-                self.report(error);
-            }
-            let value = value?;
-            sum = Some(match (sum, value) {
-                (None, value) => value,
-                (Some(Value::Scalar(a)), Value::Scalar(b)) => {
-                    Value::Scalar(self.fits(self.budget.add(&a, &b), span)?)
-                }
-                (Some(Value::List(a)), Value::List(b)) => {
-                    let mut list = Vec::new();
-                    for ((index, x), (_, y)) in a.into_iter().zip(b) {
-                        list.push((index, self.fits(self.budget.add(&x, &y), span)?));
-                    }
-                    Value::List(list)
-                }
-                _ => return None,
-            });
-        }
-        sum
     }
 
     /// The variable of an integral.
@@ -165,8 +132,12 @@ impl Scope<'_> {
     /// A bound of an integral.
     fn bound(&mut self, expr: &Expr) -> Option<Fraction> {
         let value = self.scalar(expr)?;
-        let Some(var) = self.domain.iter().find(|v| value.depends_on(**v)) else { return Some(value) };
-        let name = &self.names[var.0];
+        // Of an angle both its tangent and itself.
+        let occurs = |var: Var| {
+            value.depends_on(var) || self.analytic.angle(var).is_some_and(|a| value.depends_on(a.itself))
+        };
+        let Some(var) = self.domain.iter().find(|v| occurs(**v)) else { return Some(value) };
+        let name = self.analytic.angle(*var).map_or(&self.names[var.0], |angle| &angle.name);
         let error = self.error(expr.span, format!("a bound contains the domain variable `{name}`"));
         self.report(error.help("bounds are made of shape parameters and numbers"));
         None

@@ -17,6 +17,7 @@ mod loops;
 #[cfg(not(feature = "angles"))]
 mod no_angles;
 pub(crate) mod numbers;
+mod over_spans;
 #[cfg(feature = "angles")]
 pub(crate) mod phase;
 pub(crate) mod print;

@@ -91,6 +91,15 @@ pub(crate) struct Planned<'a> {
     pub(crate) is_declared: bool,
 }
 
+/// A name with arguments whose formula is evaluated, as it was written.
+#[derive(Clone)]
+pub(crate) struct CallSite {
+    pub(crate) parameters: Vec<String>,
+    pub(crate) arguments: Vec<Expr>,
+    /// The index variables around it with their values.
+    pub(crate) constants: Vec<(String, i64)>,
+}
+
 /// What has no value yet.
 #[derive(Clone, PartialEq, Eq)]
 pub(crate) enum Needed {
@@ -153,6 +162,10 @@ pub(crate) struct Scope<'a> {
     pub(crate) span: Option<(usize, usize)>,
     /// The families on all spans, once they are expanded, with the text of the family.
     pub(crate) siblings: Option<(Vec<std::rc::Rc<Family>>, &'a crate::syntax::Family)>,
+    /// Beside those, the calls of names with arguments around, the outermost first: on another span they have other values.
+    pub(crate) call_sites: Vec<CallSite>,
+    /// In how many integrals over several spans the formula stands.
+    pub(crate) integrals: usize,
     /// The arguments of sin, cos, exp and the like, while only these are looked for.
     #[cfg(feature = "angles")]
     pub(crate) recorded: Option<Recorded>,
@@ -537,6 +550,8 @@ impl Scope<'_> {
             analytic: Analytic::default(),
             span: None,
             siblings: None,
+            call_sites: Vec::new(),
+            integrals: 0,
             #[cfg(feature = "angles")]
             recorded: None,
             function_name: String::new(),

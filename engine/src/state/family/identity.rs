@@ -320,6 +320,22 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
     Some(differences)
 }
 
+/// A function, and names, in the variables themselves where their ranges end at shape parameters: in place of the part y of
+/// the way between the ends that stands for one, x = low + width·y.
+fn in_variables(family: &Family, f: Fraction) -> (Fraction, Vec<String>) {
+    let mut names = family.names.clone();
+    let mut f = f;
+    for angle in family.analytic.angles.iter().filter(|a| a.kind == Kind::Linear) {
+        let rise = &Fraction::var(angle.var) - &angle.low;
+        let Some(own) = rise.checked_div(&angle.width) else { continue };
+        if let Some(put) = f.substitute(angle.var, &own) {
+            f = put;
+            names[angle.var.0].clone_from(&angle.name);
+        }
+    }
+    (f, names)
+}
+
 /// What it means that an expression is not as claimed.
 pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec<String> {
     let of = &witness.of;
@@ -333,14 +349,14 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
         basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, work));
     let own = expressions.unwrap_or_default().into_iter().find(|(label, ..)| label == of);
     let difference = own.map_or_else(Fraction::zero, |(_, value, _)| value);
-    let mut names = family.names.clone();
+    let (readable, mut names) = in_variables(family, difference.clone());
     if let ClaimKind::Continuity(joint) = kind {
         names.extend(joint.free.iter().map(|p| p.name.clone()));
     }
     // A formula in tangents of halves is not what was written, and long.
     let in_tangents =
         family.analytic.angles.iter().any(|a| a.kind != Kind::Linear && difference.depends_on(a.var));
-    let shown = abbreviated(&difference.display(&names));
+    let shown = abbreviated(&readable.display(&names));
     let is_number = difference.as_constant().is_some();
     match kind {
         ClaimKind::PartitionOfUnity => {
@@ -352,7 +368,7 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             if in_tangents {
                 return vec![format!("the sum of the functions is {value}{place}")];
             }
-            let sum = abbreviated(&(&difference + &one).display(&family.names));
+            let sum = abbreviated(&(&readable + &one).display(&names));
             vec![format!("the sum of the functions is `{sum}`"), format!("{here}it is {value}")]
         }
         ClaimKind::Continuity(joint) => {

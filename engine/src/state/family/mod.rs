@@ -132,6 +132,9 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
     {
         all.extend(independent::by_squares(family, false).unwrap_or_default());
     }
+    if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty()) {
+        all.extend(independent::apart(family));
+    }
     let all = all.into_iter();
     let counts = |said: &Said| {
         let independent = matches!(said.stated.statement, Statement::Independent { .. });
@@ -376,7 +379,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
-            let verdict = refuted_beside(family, claim, false);
+            let verdict = refuted_beside(family, claim, false).or_else(|| dependent_apart(family, claim));
             verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {WIDER}")))
         }
         Err((label, Failure::Refuted(found))) => {
@@ -393,7 +396,10 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
             refuted(witness, of, &label)
         }
         Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
-            ClaimKind::Independent(_) => left,
+            ClaimKind::Independent(_) => match dependent_apart(family, claim) {
+                Some(verdict) => return verdict,
+                None => left,
+            },
             _ if assumed => {
                 // Of an equation simple points come first, which need not be among those that are assumed.
                 let verdict = refuted_under_premises(family, claim, &said.iter().listed());
@@ -417,6 +423,20 @@ fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
     }
     let plain = independent::by_squares(family, false)?;
     refuted_under_premises(family, claim, &plain.iter().listed())
+}
+
+/// That functions are dependent whatever the numbers are that occur in them.
+fn dependent_apart(family: &Family, claim: &Claim) -> Option<Verdict> {
+    if !matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty()) {
+        return None;
+    }
+    independent::apart(family).into_iter().find_map(|s| match all(vec![s.stated.clone()], family.budget) {
+        Err((label, Failure::Refuted(found))) => {
+            let about = (s.of.clone(), found.refutation.statement());
+            Some(refuted(witness(family, &claim.kind, about, &found, &s.piece), &s.of, &label))
+        }
+        _ => None,
+    })
 }
 
 /// That an expression is not as claimed; where the label of the statement says more, of several parts, it is named.

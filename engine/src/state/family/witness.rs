@@ -48,7 +48,7 @@ pub(super) fn witness(
     piece: &Piece,
 ) -> Witness {
     if let ClaimKind::Independent(except) = kind {
-        return independent::witness(family, except, found, piece);
+        return independent::witness(family, except, &of, found, piece);
     }
     let at = named_point(family, found, kind.fixed(), piece);
     // Of the statements of a chain several may be about one expression.
