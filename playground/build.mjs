@@ -6,7 +6,6 @@ import { fileURLToPath } from 'node:url';
 import zlib from 'node:zlib';
 import binaryen from 'binaryen';
 import esbuild from 'esbuild';
-import { compress } from 'lzma1';
 import { BUDGET } from './budget.mjs';
 import { silent } from './pack/traps.mjs';
 
@@ -16,8 +15,13 @@ const dist = path.join(here, 'dist');
 
 const cargo = process.env.CARGO ?? 'cargo';
 const target = process.env.CARGO_TARGET_DIR ?? path.join(root, 'target');
-execFileSync(cargo, ['build', '--locked', '--profile', 'playground', '--target', 'wasm32-unknown-unknown', '-p', 'basis-playground'], { cwd: root, stdio: 'inherit' });
-const wasm = compact(silent(fs.readFileSync(path.join(target, 'wasm32-unknown-unknown', 'playground', 'basis_playground.wasm'))));
+/** A package of the workspace as WebAssembly, in which panics say nothing. */
+function compiled(name) {
+  execFileSync(cargo, ['build', '--locked', '--profile', 'playground', '--target', 'wasm32-unknown-unknown', '-p', `basis-${name}`], { cwd: root, stdio: 'inherit' });
+  return silent(fs.readFileSync(path.join(target, 'wasm32-unknown-unknown', 'playground', `basis_${name}.wasm`)));
+}
+const wasm = compact(compiled('playground'));
+const packing = compiled('packing');
 
 /**
  * The same module in fewer bytes when compressed. Of the passes only those that make it more alike in its parts: what -Oz does
@@ -35,18 +39,25 @@ function compact(bytes) {
   return smaller;
 }
 
-/** The module as `src/worker.ts` reads it: streams of its parts, each with its length and packed. */
-async function packed(module) {
-  const built = await esbuild.build({ entryPoints: [path.join(here, 'src', 'streams.ts')], bundle: true, format: 'esm', write: false });
-  const { split, join } = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
-  const streams = split(module);
-  if (Buffer.compare(join(streams), module) !== 0) throw new Error('the streams are not those of the engine');
-  return Buffer.concat(streams.flatMap((stream) => {
-    const bytes = compress(stream, 9);
-    const length = Buffer.alloc(4);
-    length.writeUInt32LE(bytes.length);
-    return [length, bytes];
-  }));
+/** What the page needs of the module that packs and unpacks. */
+function unpacking(bytes) {
+  const module = binaryen.readBinary(bytes);
+  module.setFeatures(binaryen.Features.All);
+  module.removeExport('packed');
+  module.runPasses(['remove-unused-module-elements']);
+  const smaller = module.emitBinary();
+  module.dispose();
+  return smaller;
+}
+
+/** The engine as the page loads it. */
+async function packed(engine) {
+  const built = await esbuild.build({ entryPoints: [path.join(here, 'src', 'unpack.ts')], bundle: true, format: 'esm', write: false });
+  const { turned } = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
+  const fresh = async () => (await WebAssembly.instantiate(packing, {})).instance;
+  const file = turned(await fresh(), 'packed', engine).slice();
+  if (Buffer.compare(turned(await fresh(), 'unpacked', file), engine) !== 0) throw new Error('what is unpacked is not the engine');
+  return file;
 }
 
 // The engine itself says what the library holds: words for the editor, verdicts for the list.
@@ -96,8 +107,9 @@ await esbuild.build({
 const style = await esbuild.transform(fs.readFileSync(path.join(here, 'style.css'), 'utf8'), { loader: 'css', minify: true });
 fs.writeFileSync(path.join(dist, 'style.css'), style.code);
 fs.copyFileSync(path.join(here, 'index.html'), path.join(dist, 'index.html'));
-// By gzip, which servers and browsers do by themselves, it would be half as large again.
-fs.writeFileSync(path.join(dist, 'basis.wasm.lzma'), await packed(wasm));
+// By gzip, which servers and browsers do by themselves, it would be three quarters as large again.
+fs.writeFileSync(path.join(dist, 'basis.wasm.packed'), await packed(wasm));
+fs.writeFileSync(path.join(dist, 'packing.wasm'), unpacking(packing));
 
 let all = 0;
 for (const file of fs.readdirSync(dist).sort()) {

@@ -18,7 +18,7 @@ macro_rules! specs {
 }
 
 /// All specs, as names with their texts, sorted by name.
-pub const SPECS: &[(&str, &str)] = specs![
+pub static SPECS: &[(&str, &str)] = specs![
     "ball"
     "bernstein"
     "beta_spline"

@@ -1,7 +1,7 @@
 // The engine beside the page: answers questions, and decides the claims of the open spec in slices in between, so that a
 // newer text stops the work on an older one.
 import type { Item, Reply, Request, Verdicts } from './protocol';
-import { unpack } from './unpack';
+import { turned } from './unpack';
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -90,11 +90,17 @@ function slice(): void {
   }
 }
 
+async function fetched(name: string): Promise<ArrayBuffer> {
+  const answer = await fetch(name);
+  if (!answer.ok) throw new Error(`${name} cannot be loaded: ${answer.status}`);
+  return answer.arrayBuffer();
+}
+
 async function load(): Promise<void> {
   try {
-    const answer = await fetch('basis.wasm.lzma');
-    if (!answer.ok) throw new Error(`basis.wasm.lzma cannot be loaded: ${answer.status}`);
-    const { instance } = await WebAssembly.instantiate(unpack(await answer.arrayBuffer()), {});
+    const [packing, packed] = await Promise.all(['packing.wasm', 'basis.wasm.packed'].map(fetched));
+    const unpacker = await WebAssembly.instantiate(packing!, {});
+    const { instance } = await WebAssembly.instantiate(turned(unpacker.instance, 'unpacked', new Uint8Array(packed!)), {});
     engine = instance.exports as unknown as Exports;
     say({ kind: 'ready' });
     const all = waiting;

@@ -2,11 +2,13 @@
 import fs from 'node:fs';
 import { load } from './bundle.mjs';
 
+const dist = (name) => Uint8Array.from(fs.readFileSync(new URL(`../dist/${name}`, import.meta.url)));
+
 /** The module that the worker makes of the file. */
 export async function module() {
-  const { unpack } = await load('unpack.ts');
-  const file = fs.readFileSync(new URL('../dist/basis.wasm.lzma', import.meta.url));
-  return unpack(Uint8Array.from(file).buffer);
+  const { turned } = await load('unpack.ts');
+  const { instance } = await WebAssembly.instantiate(dist('packing.wasm'), {});
+  return turned(instance, 'unpacked', dist('basis.wasm.packed')).slice();
 }
 
 /** What answers questions, as `playground/engine` lists them. */

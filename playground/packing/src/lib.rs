@@ -1,0 +1,85 @@
+//! The engine for the page in few bytes, and back: WebAssembly, coded instruction by instruction.
+//!
+//! [`pack`] is for whoever builds the page, [`unpack`] is in the page. In both one walk goes through the module, with
+//! the same contexts: what it takes from the module and gives to the coder when it packs goes back when it unpacks.
+
+#![cfg_attr(target_family = "wasm", no_std)] // what the library adds would be most of what the page loads to unpack
+
+extern crate alloc;
+
+mod coder;
+mod constants;
+mod memory;
+mod mixing;
+mod module;
+#[cfg(target_family = "wasm")]
+mod page;
+mod repetition;
+mod tape;
+mod tree;
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+
+use coder::{Reader, Writer};
+use mixing::{Bytes, Mixer};
+use module::Walk;
+use tape::Tape;
+
+/// Kinds of bytes: each has its own tree of decisions and weights. The last one is for the trees themselves.
+const KINDS: usize = 19;
+const SHAPES: usize = KINDS - 1;
+
+/// What is packed is damaged, or ends too early; or what is to be packed is no module as the compiler of the engine
+/// writes it, without vectors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Damaged;
+
+impl fmt::Display for Damaged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the packed engine is damaged")
+    }
+}
+
+impl core::error::Error for Damaged {}
+
+/// How often each byte of each kind comes.
+struct Census(Vec<[u32; 256]>);
+
+impl Bytes for Census {
+    const READS: bool = false;
+
+    fn byte<const N: usize>(&mut self, kind: usize, _: [u32; N], _: usize, known: u8) -> u8 {
+        self.0[kind][usize::from(known)] += 1;
+        known
+    }
+}
+
+/// A module in few bytes.
+///
+/// # Errors
+///
+/// Where the module has instructions that the compiler of the engine does not write.
+pub fn pack(module: &[u8]) -> Result<Vec<u8>, Damaged> {
+    let mut census = Census(vec![[0; 256]; SHAPES]);
+    Walk::new(&mut census, Tape::new(module.to_vec())).module()?;
+    let mut mixer = Mixer::new(Writer::new());
+    let lengths: Vec<_> = census.0.iter().map(tree::lengths).collect();
+    mixer.shapes(Some(&lengths))?;
+    Walk::new(&mut mixer, Tape::new(module.to_vec())).module()?;
+    Ok(mixer.into_coder().finish())
+}
+
+/// The module that was packed.
+///
+/// # Errors
+///
+/// Where the bytes are damaged, unless they are another module.
+pub fn unpack(packed: &[u8]) -> Result<Vec<u8>, Damaged> {
+    let mut mixer = Mixer::new(Reader::new(packed));
+    mixer.shapes(None)?;
+    let mut walk = Walk::new(&mut mixer, Tape::new(Vec::new()));
+    walk.module()?;
+    Ok(walk.into_written())
+}

@@ -1,0 +1,219 @@
+//! Bytes one after the other, each coded by what is expected of it.
+//!
+//! Several contexts give a probability for every binary decision; two sets of weights, which learn as they go, mix them
+//! in the logistic domain, and an arithmetic coder writes what remains. The scheme is that of the PAQ family,
+//! <https://mattmahoney.net/dc/dce.html#Section_43>.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use crate::tree::{self, Step, Tree};
+use crate::{Damaged, KINDS, SHAPES};
+
+/// The most contexts of a byte.
+pub(crate) const CONTEXTS: usize = 8;
+/// How sure the longest repetition is, as a number below this: it chooses the second set of weights.
+pub(crate) const SURE: usize = 32;
+
+/// log2 of the number of slots for what was seen in contexts.
+const BITS: u32 = 22;
+const MASK: usize = (1 << BITS) - 1;
+/// Of a slot, which has a probability of 16 bits, 10 bits of the context that it belongs to, and a count up to `LIMIT`.
+const OWNER: u32 = 0xffc0;
+const COUNT: u32 = 0x3f;
+/// One half, never seen.
+const FRESH: u32 = 0x8000_0000;
+const LIMIT: u32 = 40;
+/// Counts with weights of their own.
+const STEPS: usize = 16;
+/// How far weights move.
+const LEARN: f32 = 0.02;
+/// Weights at first.
+const WEIGHT: f32 = 0.35;
+
+/// The logistic function is tabled between -`SPAN` and `SPAN`.
+const SPAN: f32 = 12.0;
+const TABLE: usize = 4096;
+
+/// Where the weights of a context in a slot seen n times are, from those of the context on.
+const fn step(n: usize) -> u8 {
+    match n {
+        0..8 => n as u8,
+        8..12 => 8,
+        12..18 => 9,
+        18..32 => 10,
+        _ => 11,
+    }
+}
+
+/// What bytes are read from, written to or counted by.
+pub(crate) trait Bytes {
+    /// Whether bytes are read rather than known.
+    const READS: bool;
+
+    /// A byte of a kind in contexts, with how sure the longest repetition is: the one that is read, or `known`.
+    fn byte<const N: usize>(&mut self, kind: usize, contexts: [u32; N], sure: usize, known: u8) -> u8;
+
+    /// Fails where more was read than there was.
+    fn check(&self) -> Result<(), Damaged> {
+        Ok(())
+    }
+}
+
+/// The coder's side of decisions.
+pub(crate) trait Coder {
+    const READS: bool;
+    /// One decision that is true with the probability `p`/65536: the one that is read, or `known`.
+    fn decide(&mut self, p: u32, known: bool) -> bool;
+    fn check(&self) -> Result<(), Damaged>;
+}
+
+/// The model of bytes before a coder.
+pub(crate) struct Mixer<C> {
+    coder: C,
+    trees: Vec<Tree>,
+    slots: Vec<u32>,
+    by_node: Vec<f32>,
+    by_sure: Vec<f32>,
+    stretch: Vec<f32>,
+    squash: Vec<f32>,
+    rate: [i32; COUNT as usize + 1],
+    step: [u8; COUNT as usize + 1],
+}
+
+/// e^x by powers of a short series, with the same bits on every machine.
+fn exp(x: f64) -> f64 {
+    let y = x / 4096.0;
+    let mut e = 1.0 + y * (1.0 + y / 2.0 * (1.0 + y / 3.0 * (1.0 + y / 4.0)));
+    for _ in 0..12 {
+        e *= e;
+    }
+    e
+}
+
+impl<C: Coder> Mixer<C> {
+    pub(crate) fn new(coder: C) -> Mixer<C> {
+        let logistic = |x: f64| 1.0 / (1.0 + exp(-x));
+        let squash =
+            (0..=TABLE).map(|k| logistic(f64::from(SPAN) * (2.0 * k as f64 / TABLE as f64 - 1.0)) as f32);
+        // The inverse, from one probability to the next, by Newton's method.
+        let mut x = -9.0;
+        let stretch = (0..TABLE).map(|k| {
+            let odds = (k as f64 + 0.5) / (TABLE as f64 - 0.5 - k as f64);
+            for _ in 0..4 {
+                x += odds / exp(x) - 1.0;
+            }
+            x as f32
+        });
+        Mixer {
+            coder,
+            trees: Vec::new(),
+            slots: vec![FRESH; 1 << BITS],
+            by_node: vec![WEIGHT; KINDS * 256 * CONTEXTS * STEPS],
+            by_sure: vec![WEIGHT; KINDS * SURE * CONTEXTS * STEPS],
+            stretch: stretch.collect(),
+            squash: squash.collect(),
+            rate: core::array::from_fn(|n| (65535.0 / (n as f64 + 1.6)) as i32 >> 1),
+            step: core::array::from_fn(step),
+        }
+    }
+
+    /// Reads or writes the lengths of the paths in the trees of all kinds.
+    pub(crate) fn shapes(&mut self, known: Option<&[[u8; 256]]>) -> Result<(), Damaged> {
+        self.trees = vec![tree::of(&core::array::from_fn(|s| if s < 16 { 4 } else { 0 }))?; KINDS];
+        let mut trees = Vec::new();
+        for kind in 0..SHAPES {
+            let mut lengths = [0; 256];
+            let mut before = [0; 2];
+            for s in 0..256 {
+                let [a, b] = before.map(u32::from);
+                let contexts = [a, a + 16 * b + 256, kind as u32 + 512];
+                lengths[s] = self.byte(SHAPES, contexts, 0, known.map_or(0, |all| all[kind][s]));
+                before = [lengths[s], before[0]];
+            }
+            trees.push(tree::of(&lengths)?);
+        }
+        trees.push(self.trees[SHAPES].clone());
+        self.trees = trees;
+        Ok(())
+    }
+
+    pub(crate) fn into_coder(self) -> C {
+        self.coder
+    }
+}
+
+impl<C: Coder> Bytes for Mixer<C> {
+    const READS: bool = C::READS;
+
+    #[inline(never)] // once for each N
+    fn byte<const N: usize>(&mut self, kind: usize, contexts: [u32; N], sure: usize, known: u8) -> u8 {
+        let mut base = [0_usize; N];
+        let mut owner = [0_u32; N];
+        for i in 0..N {
+            let h = contexts[i] ^ ((kind * CONTEXTS + i + 1) as u32).wrapping_mul(0x3d4d_51cb);
+            let h = h.wrapping_mul(0x9e37_79b1);
+            let h = (h ^ (h >> 15)).wrapping_mul(0x85eb_ca6b);
+            base[i] = (h >> (32 - BITS)) as usize;
+            owner[i] = h.wrapping_mul(0x2545_f491) >> 16 & OWNER;
+        }
+        let slots: &mut [u32; 1 << BITS] = (&mut self.slots[..]).try_into().expect("as many as there are");
+        let stretch: &[f32; TABLE] = self.stretch[..].try_into().expect("as many as there are");
+        let squash: &[f32; TABLE + 1] = self.squash[..].try_into().expect("as many as there are");
+        let logistic = |x: f32| {
+            let k = (x + SPAN) * (TABLE as f32 / (2.0 * SPAN));
+            squash[(k.clamp(0.0, TABLE as f32) as usize).min(TABLE)]
+        };
+        let by_sure: &mut [f32; CONTEXTS * STEPS] =
+            self.by_sure.as_chunks_mut().0.get_mut(kind * SURE + sure).expect("a set of weights");
+        let tree = &self.trees[kind];
+        let mut left = tree.path[usize::from(known)];
+        let mut node = 0;
+        loop {
+            let by_node: &mut [f32; CONTEXTS * STEPS] =
+                self.by_node.as_chunks_mut().0.get_mut(kind * 256 + node).expect("a set of weights");
+            let mut place = [0; N];
+            let mut seen = [0; N];
+            let mut weight = [0; N];
+            let mut stretched = [0.0; N];
+            let (mut dot1, mut dot2) = (0.0, 0.0);
+            for i in 0..N {
+                place[i] = ((base[i] ^ node & 15) + (node & !15)) & MASK;
+                let slot = slots[place[i]];
+                let slot = if slot & OWNER == owner[i] { slot } else { FRESH | owner[i] };
+                seen[i] = slot;
+                let x = stretch[(slot >> 20) as usize];
+                let w =
+                    (i * STEPS + usize::from(self.step[(slot & COUNT) as usize])) & (CONTEXTS * STEPS - 1);
+                stretched[i] = x;
+                weight[i] = w;
+                dot1 += by_node[w] * x;
+                dot2 += by_sure[w] * x;
+            }
+            let p = (logistic((dot1 + dot2) * 0.5) * 65536.0) as u32;
+            let bit = self.coder.decide(p.clamp(1, 65535), left & 1 == 1);
+            left >>= 1;
+            let came = f32::from(u8::from(bit));
+            let error1 = (came - logistic(dot1)) * LEARN;
+            let error2 = (came - logistic(dot2)) * LEARN;
+            let goal = if bit { 65535 } else { 0 };
+            for i in 0..N {
+                by_node[weight[i]] += error1 * stretched[i];
+                by_sure[weight[i]] += error2 * stretched[i];
+                let slot = seen[i];
+                let n = slot & COUNT;
+                let q = (slot >> 16) as i32;
+                let q = q + (((goal - q) * self.rate[n as usize]) >> 15);
+                slots[place[i]] = (q as u32) << 16 | owner[i] | if n < LIMIT { n + 1 } else { n };
+            }
+            match tree.next[node][usize::from(bit)] {
+                Step::Byte(byte) => return byte,
+                Step::Node(next) => node = usize::from(next),
+            }
+        }
+    }
+
+    fn check(&self) -> Result<(), Damaged> {
+        self.coder.check()
+    }
+}

@@ -1,0 +1,339 @@
+//! A WebAssembly module from its first byte to its last, each in the contexts that tell most of it: the instructions
+//! before it, the variables used last, what came after the last passage like this one.
+//! <https://webassembly.github.io/spec/core/binary>
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::mem;
+
+use crate::Damaged;
+use crate::memory;
+use crate::mixing::Bytes;
+use crate::repetition::{Repetition, both};
+use crate::tape::Tape;
+
+// Kinds of bytes; NUMBER has five, by the length of the number.
+const OPERATION: usize = 0;
+const VARIABLE: usize = 1;
+const OFFSET: usize = 2;
+const OFFSET_MORE: usize = 3;
+pub(crate) const LENGTH: usize = 4;
+pub(crate) const NUMBER: usize = 5;
+pub(crate) const CALL_HIGH: usize = 10;
+pub(crate) const CALL_LOW: usize = 11;
+const JUMP: usize = 12;
+const KIND: usize = 13;
+const LONG: usize = 14;
+const DECLARED: usize = 15;
+const REST: usize = 16;
+const DATA: usize = 17;
+
+// Sections.
+const CODE_SECTION: u32 = 10;
+const DATA_SECTION: u32 = 11;
+
+/// Goes through a module: takes it from the tape and gives its bytes to the coder, or the other way round.
+pub(crate) struct Walk<'a, B> {
+    bytes: &'a mut B,
+    pub(crate) tape: Tape,
+    pub(crate) repetition: Repetition,
+    /// Operations before, the last one first.
+    pub(crate) operations: [u32; 6],
+    /// The same with what belongs to them.
+    pub(crate) seen: [u32; 3],
+    variables: [u32; 2],
+    pub(crate) call: u32,
+    pub(crate) function: u32,
+    depth: u32,
+    /// The last offset from each variable.
+    places: Vec<u32>,
+}
+
+fn push<const N: usize>(all: &mut [u32; N], value: u32) {
+    all.copy_within(0..N - 1, 1);
+    all[0] = value;
+}
+
+impl<'a, B: Bytes> Walk<'a, B> {
+    pub(crate) fn new(bytes: &'a mut B, tape: Tape) -> Walk<'a, B> {
+        Walk {
+            bytes,
+            tape,
+            repetition: Repetition::new(),
+            operations: [0; 6],
+            seen: [0; 3],
+            variables: [0; 2],
+            call: 0,
+            function: 0,
+            depth: 0,
+            places: vec![0; 1 << 12],
+        }
+    }
+
+    pub(crate) fn into_written(self) -> Vec<u8> {
+        self.tape.into_written()
+    }
+
+    /// A byte in the contexts that are given, and that of the longest repetition.
+    pub(crate) fn byte(&mut self, kind: usize, [a, b, c]: [u32; 3], known: u8) -> u8 {
+        let repetition = self.repetition.expected();
+        self.bytes.byte(kind, [a, b, c, repetition], self.repetition.sure(), known)
+    }
+
+    /// A byte that goes over as it is.
+    fn moved(&mut self, kind: usize, contexts: [u32; 3]) -> Result<u8, Damaged> {
+        let known = if B::READS { 0 } else { self.tape.next()? };
+        let byte = self.byte(kind, contexts, known);
+        if B::READS {
+            self.tape.put(byte);
+        }
+        self.repetition.push(u32::from(byte));
+        Ok(byte)
+    }
+
+    /// A number of variable length, of which bytes after the first one are of the kind `more`. Only its lower 32 bits
+    /// are known.
+    fn leb(&mut self, kind: usize, more: usize, mut contexts: [u32; 3]) -> Result<u32, Damaged> {
+        let mut value = 0;
+        for k in 0..10 {
+            let byte = self.moved(if k == 0 { kind } else { more }, contexts)?;
+            value |= u64::from(byte & 127) << (7 * k);
+            if byte < 128 {
+                return Ok(value as u32);
+            }
+            contexts = contexts.map(|c| both(c, u32::from(byte)));
+        }
+        Err(Damaged)
+    }
+
+    /// A number by itself.
+    fn plain(&mut self, known: u32) -> u32 {
+        let bytes = known.to_be_bytes();
+        u32::from_be_bytes([0, 1, 2, 3].map(|k| self.byte(REST, [k as u32; 3], bytes[k])))
+    }
+
+    /// The whole module.
+    pub(crate) fn module(&mut self) -> Result<(), Damaged> {
+        self.plain_bytes(REST, 8)?;
+        loop {
+            // A zero stands after the last section.
+            let ended = B::READS || self.tape.ended();
+            let known = if ended { 0 } else { u32::from(self.tape.next()?) };
+            let id = self.plain(known);
+            self.bytes.check()?;
+            if id == 0 {
+                return Ok(());
+            }
+            let length = if B::READS { 0 } else { self.tape.number()? };
+            if B::READS {
+                self.tape.put(id as u8);
+            }
+            if id == CODE_SECTION {
+                self.code()?;
+                continue;
+            }
+            let length = self.plain(length);
+            if B::READS {
+                self.tape.put_number(length);
+            }
+            self.plain_bytes(if id == DATA_SECTION { DATA } else { REST }, length)?;
+        }
+    }
+
+    /// Bytes that are no instructions.
+    fn plain_bytes(&mut self, kind: usize, count: u32) -> Result<(), Damaged> {
+        let mut before = 0_u64;
+        let mut word = 0_u32;
+        for k in 0..count {
+            let last = before as u32;
+            let contexts = [
+                last & 0xff,
+                last & 0xffff,
+                last & 0xff_ffff,
+                last,
+                both(last, (before >> 32) as u32 & 0xffff),
+                both(last >> 24 | (before >> 48) as u32 & 0xff00, k & 3),
+                both(word, last & 0xff),
+                self.repetition.expected(),
+            ];
+            let known = if B::READS { 0 } else { self.tape.next()? };
+            let byte = self.bytes.byte(kind, contexts, self.repetition.sure(), known);
+            if B::READS {
+                self.tape.put(byte);
+            }
+            self.repetition.push(u32::from(byte));
+            self.repetition.look();
+            before = before << 8 | u64::from(byte);
+            let letter = byte.is_ascii_alphabetic() || byte >= 128;
+            word = if letter { word.wrapping_add(u32::from(byte)).wrapping_mul(0x2f0b_4c47) } else { 0 };
+            self.bytes.check()?;
+            self.tape.check()?;
+        }
+        Ok(())
+    }
+
+    /// The code. How long it and its functions are follows from their instructions.
+    fn code(&mut self) -> Result<(), Damaged> {
+        let known = if B::READS { 0 } else { self.tape.number()? };
+        let count = self.plain(known);
+        if !B::READS {
+            for _ in 0..count {
+                self.tape.number()?;
+                self.body()?;
+            }
+            return Ok(());
+        }
+        let module = mem::replace(&mut self.tape, Tape::new(Vec::new()));
+        let mut all = Tape::new(Vec::new());
+        all.put_number(count);
+        for _ in 0..count {
+            self.tape.clear();
+            self.body()?;
+            all.put_all(&self.tape)?;
+        }
+        self.tape = module;
+        self.tape.put_all(&all)
+    }
+
+    /// One function: its variables, and instructions up to the end of the outermost block.
+    fn body(&mut self) -> Result<(), Damaged> {
+        self.function += 1;
+        self.places.fill(0);
+        self.operations = [0; 6];
+        self.seen = [0; 3];
+        let mut declared = [0; 2];
+        let groups = self.declared(&mut declared)?;
+        for _ in 0..groups {
+            while self.declared(&mut declared)? > 127 {}
+            self.declared(&mut declared)?;
+        }
+        self.depth = 1;
+        while self.depth > 0 {
+            let seen = self.instruction()?;
+            push(&mut self.seen, seen);
+            self.repetition.look();
+            self.bytes.check()?;
+            self.tape.check()?;
+        }
+        Ok(())
+    }
+
+    fn declared(&mut self, before: &mut [u32; 2]) -> Result<u8, Damaged> {
+        let near = both(before[0], before[1]);
+        let byte = self.moved(DECLARED, [before[0], near, 0])?;
+        push(before, u32::from(byte));
+        self.bytes.check()?;
+        Ok(byte)
+    }
+
+    /// One instruction; a number for it with what belongs to it.
+    fn instruction(&mut self) -> Result<u32, Damaged> {
+        let [o1, o2, o3, o4, o5, o6] = self.operations;
+        let [s1, s2, _] = self.seen;
+        let [v1, v2] = self.variables;
+        let f = self.function;
+        let h2 = both(o1, o2);
+        let h3 = both(h2, o3);
+        let h4 = both(h3, o4);
+        let near = both(s1, s2);
+        let contexts = [h4, both(h4, both(o5, o6)), near];
+        let (sign, op) = self.operation(contexts)?;
+        let sign = u32::from(sign);
+        push(&mut self.operations, sign);
+        // What follows is coded in contexts of this operation and those before it.
+        let at2 = both(sign, o1);
+        let at3 = both(at2, o2);
+        let mut of = 0;
+        match op {
+            0x20..=0x22 => {
+                let contexts = [both(sign, both(v1, v2)), both(f, sign), both(near, sign)];
+                of = self.leb(VARIABLE, VARIABLE, contexts)?;
+                push(&mut self.variables, of);
+            }
+            0x28..=0x3e => {
+                let place = v1 as usize % self.places.len();
+                let contexts = [both(at2, both(v1, f)), at3, both(sign, both(v1, self.places[place]))];
+                of = self.leb(OFFSET, OFFSET_MORE, contexts)?;
+                self.places[place] = of;
+            }
+            0x41 => of = self.constant()?,
+            0x10 => of = self.called()?,
+            0x0c | 0x0d => of = self.jump(at3)?,
+            0x0b => self.depth -= 1,
+            0x02..=0x04 => {
+                self.depth += 1;
+                self.kind(at2, at3)?;
+            }
+            0x0e => {
+                let count = self.jump(at3)?;
+                let mut before = 0;
+                for k in (0..=count).rev() {
+                    before = self.jump(both(sign, both(before, k)))?;
+                    self.bytes.check()?;
+                    self.tape.check()?;
+                }
+            }
+            0x11 => {
+                self.kind(at2, at3)?;
+                self.kind(0, 0)?;
+            }
+            0x42 => {
+                self.leb(LONG, LONG, [o1, both(o1, o2), s1])?;
+            }
+            0x23 | 0x24 | 0x3f | 0x40 => self.kind(at2, at3)?,
+            0x43 => self.some(4)?,
+            0x44 => self.some(8)?,
+            0xfc => match self.leb(LONG, LONG, [o1; 3])? {
+                0..=7 => {}
+                10 => self.some(2)?, // memory.copy
+                11 => self.some(1)?, // memory.fill
+                _ => return Err(Damaged),
+            },
+            0x00 | 0x01 | 0x05 | 0x0f | 0x1a | 0x1b | 0x45..=0xc4 => {}
+            _ => return Err(Damaged),
+        }
+        Ok(if of == 0 && !(0x20..=0x41).contains(&op) { sign } else { both(sign, of) })
+    }
+
+    /// An operation: its number where it is packed, and in the module.
+    fn operation(&mut self, contexts: [u32; 3]) -> Result<(u8, u8), Damaged> {
+        let mut known = 0;
+        if !B::READS {
+            known = self.tape.next()?;
+            if !memory::known(known) {
+                return Err(Damaged);
+            }
+            if memory::usual(known).is_some() {
+                known = memory::sign(known, self.tape.next()?).ok_or(Damaged)?;
+            }
+        }
+        let sign = self.byte(OPERATION, contexts, known);
+        self.repetition.push(u32::from(sign));
+        let (op, align) = memory::operation(sign);
+        if B::READS {
+            self.tape.put(op);
+            if let Some(align) = align {
+                self.tape.put(align);
+            }
+        }
+        Ok((sign, op))
+    }
+
+    fn jump(&mut self, far: u32) -> Result<u32, Damaged> {
+        let contexts = [far, both(self.depth, self.operations[1]), both(self.function, self.depth)];
+        self.leb(JUMP, JUMP, contexts)
+    }
+
+    /// What a block leaves, or another number that mostly is the same.
+    fn kind(&mut self, near: u32, far: u32) -> Result<(), Damaged> {
+        self.leb(KIND, KIND, [near, far, 0]).map(drop)
+    }
+
+    /// Bytes without a pattern.
+    fn some(&mut self, count: u32) -> Result<(), Damaged> {
+        for k in 0..count {
+            self.moved(LONG, [both(k, self.operations[1]); 3])?;
+        }
+        Ok(())
+    }
+}
