@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use basis_engine::Source;
+use basis_engine::algebra::rational::Rational;
 use basis_engine::emit::Language;
 use basis_engine::emit::c::{C, Scalar};
 use basis_engine::emit::python::Python;
@@ -57,7 +58,7 @@ fn families(language: &dyn Language, floats: Floats) -> Vec<(Case, Ends)> {
             let mut values = Vec::new();
             for (side, (single, declared)) in shape.single.iter().zip(declared).enumerate() {
                 let end = single.as_ref().filter(|_| floats == Floats::Single).or(declared);
-                let Some(end) = end.map(|end| end.to_f64()) else { continue };
+                let Some(end) = end.map(Rational::to_f64) else { continue };
                 // Not next to nothing: exp(α) to the power 12 is a float.
                 let largest = if floats == Floats::Single { 126.0 } else { 1022.0 };
                 let is_far = end.abs() > largest / 12.0 * core::f64::consts::LN_2 * 0.7;
