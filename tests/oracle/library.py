@@ -599,6 +599,8 @@ class Family:
     def integral(self, nodes, env):
         if len(nodes) == 4:
             v, a, b = (self.value(n, env) for n in nodes[1:])
+            if self.count > 1 and v == self.spans[0][0]:
+                return self.up_to(nodes[0], b, env) - self.up_to(nodes[0], a, env)
             return sp.integrate(sp.expand(self.value(nodes[0], env)), (v, a, b))
         if len(self.variables) > 1:
             return each(self.over_the_domain, self.value(nodes[0], env))
@@ -608,6 +610,31 @@ class Family:
             total += sp.integrate(sp.expand(self.value(nodes[0], env)), (v, a, b))
         self.span = kept
         return total
+
+    def up_to(self, node, end, env):
+        """An integral over several spans from the first knot to a value, each part with the formula of its span."""
+        kept, total = self.span, sp.Integer(0)
+        last = self.span_of(end)
+        for i, (v, a, b, _, _) in enumerate(self.spans[: last + 1]):
+            self.span = i
+            total += sp.integrate(sp.expand(self.value(node, env)), (v, a, end if i == last else b))
+        self.span = kept
+        return total
+
+    def span_of(self, value):
+        """The span in which a value lies: with symbols as a knot, or as two samples of their values say."""
+        for i, (_, a, b, _, _) in enumerate(self.spans):
+            if sp.simplify(value - b) == 0 or i == 0 and sp.simplify(value - a) == 0:
+                return i
+        found = set()
+        for sample in (1, 2):
+            def at(x):
+                x = sp.sympify(x)
+                return x.subs({s: sample for s in x.free_symbols})
+            found.add(next((i for i, s in enumerate(self.spans) if at(s[1]) <= at(value) <= at(s[2])), None))
+        if len(found) > 1 or None in found:
+            raise Unknown("the span of a bound")
+        return found.pop()
 
     def over_the_domain(self, x):
         """An integral over a simplex, a box or their product."""

@@ -267,7 +267,8 @@ fn quadratic(x: &Algebraic, work: &mut Work) -> Option<Algebraic> {
         for e in &e {
             // a + b + c and a − b + c are ±e and ±f, up to the sign of all.
             for (e, f) in f.iter().flat_map(|f| [(*e, *f), (*e, -f), (-e, *f), (-e, -f)]) {
-                let a = (e + f) / 2 - c;
+                // The sum is even, or there is no such factor.
+                let a = i64::midpoint(e, f) - c;
                 if (e + f) % 2 != 0 || a == 0 || p.degree() < 3 {
                     continue;
                 }
@@ -291,7 +292,7 @@ fn divisors(n: i64) -> Option<Vec<i64>> {
     if n == 0 || n > LARGEST {
         return None;
     }
-    let small = (1..).take_while(|k| k * k <= n).filter(|k| n % k == 0).listed();
+    let small = (1..).take_while(|k| k * k <= n).filter(|k| n.is_multiple_of(*k)).listed();
     let large = small.iter().map(|k| n / k).listed();
     let mut all = [small, large].concat();
     sort_unique(&mut all);

@@ -116,11 +116,12 @@ pub(super) fn skip_statement(input: ParseStream<'_>) {
         match token {
             TokenTree::Punct(p) if p.as_char() == ';' => return,
             // Cases as programs have them, `if c { x } else { y } for i in 0..=n;`, are one statement.
-            TokenTree::Group(g) if g.delimiter() == Delimiter::Brace => {
-                if !["else", "for", "if"].iter().any(|word| at_word(input, word)) {
-                    let _ = input.parse::<Option<Token![;]>>();
-                    return;
-                }
+            TokenTree::Group(g)
+                if g.delimiter() == Delimiter::Brace
+                    && !["else", "for", "if"].iter().any(|word| at_word(input, word)) =>
+            {
+                let _ = input.parse::<Option<Token![;]>>();
+                return;
             }
             _ => {}
         }

@@ -883,7 +883,7 @@ fn differences_are_in_the_variables_themselves() {
             prove b[0] = t^2*b[1];
         }",
     ));
-    let notes: Vec<&str> = report.diagnostics.iter().flat_map(|d| &d.notes).map(|n| n.as_str()).collect();
+    let notes: Vec<&str> = report.diagnostics.iter().flat_map(|d| &d.notes).map(String::as_str).collect();
     assert_eq!(
         notes,
         [

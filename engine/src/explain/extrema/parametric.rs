@@ -46,7 +46,7 @@ pub(super) fn of_function(family: &Family, f: &Fraction, work: &mut Work) -> Opt
         values.push((f.substitute_within(var, point, work).ok()??, point));
     }
     let least = all.extreme(&values, false, work)?;
-    if all.is_nonnegative(least.0.clone()) {
+    if all.is_nonnegative(&least.0) {
         return Some(None);
     }
     let greatest = all.extreme(&values, true, work)?;
@@ -69,8 +69,8 @@ struct Known<'f> {
 
 impl Known<'_> {
     /// Whether a function of the shape parameters is proved to be ≥ 0 for all of their values.
-    fn is_nonnegative(&self, f: Fraction) -> bool {
-        self.is_so(&f, Relation::NonNegative)
+    fn is_nonnegative(&self, f: &Fraction) -> bool {
+        self.is_so(f, Relation::NonNegative)
     }
 
     fn is_so(&self, f: &Fraction, relation: Relation) -> bool {
@@ -101,7 +101,7 @@ impl Known<'_> {
             }
             let root = (-&rest).checked_div(&slope)?;
             let [below, above] = self.ends.map(|end| &root - &Fraction::constant(end.clone()));
-            if self.is_nonnegative(below.clone()) && self.is_nonnegative(-&above) {
+            if self.is_nonnegative(&below) && self.is_nonnegative(&-&above) {
                 all.push(root);
             } else if !self.is_so(&-&below, Relation::Positive) && !self.is_so(&above, Relation::Positive) {
                 return None;
@@ -129,7 +129,7 @@ impl Known<'_> {
             for (other, _) in values {
                 let difference = other.sub_within(value, work)?;
                 let difference = if greatest { -&difference } else { difference };
-                is_extreme = is_extreme && self.is_nonnegative(difference);
+                is_extreme = is_extreme && self.is_nonnegative(&difference);
             }
             if is_extreme {
                 let at = values.iter().filter(|(other, _)| other == value);

@@ -44,8 +44,19 @@ impl Scope<'_> {
                     let error = self.error(callee.span, format!("`{name}` is a list, not a function"));
                     error.help(format!("write `{name}[0]` for its first entry"))
                 } else {
+                    // `let h = t^2; … h(1 - t)`
+                    let varies = match self.lets.named(name) {
+                        Some(Some(Value::Scalar(f))) => self.domain.iter().any(|v| self.occurs(f, *v)),
+                        _ => false,
+                    };
                     let error = self.error(callee.span, format!("`{name}` is not a function"));
-                    error.help(format!("write `{name}*(…)` for a product"))
+                    error.help(if varies {
+                        format!(
+                            "write `let {name}(s) = …;` for a name with an argument, `{name}*(…)` for a product"
+                        )
+                    } else {
+                        format!("write `{name}*(…)` for a product")
+                    })
                 };
                 self.report(error);
                 None

@@ -129,14 +129,15 @@ impl Scope<'_> {
         }
     }
 
+    /// Whether a domain variable occurs in a function: of an angle its tangent, or itself.
+    pub(super) fn occurs(&self, f: &Fraction, var: Var) -> bool {
+        f.depends_on(var) || self.analytic.angle(var).is_some_and(|a| f.depends_on(a.itself))
+    }
+
     /// A bound of an integral.
     fn bound(&mut self, expr: &Expr) -> Option<Fraction> {
         let value = self.scalar(expr)?;
-        // Of an angle both its tangent and itself.
-        let occurs = |var: Var| {
-            value.depends_on(var) || self.analytic.angle(var).is_some_and(|a| value.depends_on(a.itself))
-        };
-        let Some(var) = self.domain.iter().find(|v| occurs(**v)) else { return Some(value) };
+        let Some(var) = self.domain.iter().find(|v| self.occurs(&value, **v)) else { return Some(value) };
         let name = self.analytic.angle(*var).map_or(&self.names[var.0], |angle| &angle.name);
         let error = self.error(expr.span, format!("a bound contains the domain variable `{name}`"));
         self.report(error.help("bounds are made of shape parameters and numbers"));

@@ -23,7 +23,7 @@ struct Located {
     end: Option<bool>,
 }
 
-impl<'a> Scope<'a> {
+impl Scope<'_> {
     /// Whether an integral over the domain variable is about the formulas of several spans, which this scope does not know all.
     pub(super) fn is_of_spans(&self, f: &Expr, whole: bool) -> bool {
         self.span.is_some()
@@ -35,7 +35,7 @@ impl<'a> Scope<'a> {
     fn varies(&self, f: &Expr, depth: usize) -> bool {
         f.has_name(&|name| {
             if let Some((_, value)) = self.arguments.iter().find(|(n, _)| n == name) {
-                let of_domain = |f: &Fraction| self.domain.iter().any(|v| f.depends_on(*v));
+                let of_domain = |f: &Fraction| self.domain.iter().any(|v| self.occurs(f, *v));
                 return match value {
                     Value::Scalar(f) => f.as_var().is_none() && of_domain(f),
                     Value::List(list) => list.iter().any(|(_, f)| of_domain(f)),
