@@ -10,7 +10,7 @@
 //! - is not 0 at any corner, where each T is at its end: then e = a, as the rest goes to a number other than 0;
 //! - or it is, such as 1 − T₁T₂. It is Σ c(k) Π s^(d−k) x^k in the distances s, x from both ends, with c(k) ≥ 0 for all shape values,
 //!   and so is at least each of its terms. Every term with a number c(k) > 0 gives an e: of R₁ + T₁R₂ there are two, (1, 0)
-//!   and (0, 1), and any of them may be used. Evaluators compute that very sum ([`corners`](super::corners)), so that its digits
+//!   and (0, 1), and any of them may be used. Evaluators compute that very sum (file `corners`), so that its digits
 //!   are there; the numbers x = T that are not distances from a side go to 1.
 //! - Where the signs of c(k) are not known, every monomial in R has to be seen beside 1: what follows holds with e = a and the
 //!   number of digits in place of the largest exponent.
