@@ -7,6 +7,7 @@
 
 use std::time::Instant;
 
+use basis_benches::Random;
 use basis_runtime::{Basis, Curve, Point, Scalar, basis};
 use bevy_math::cubic_splines::CubicSegment;
 use divan::black_box;
@@ -237,7 +238,8 @@ fn lengths() {
         Curve::new(Bernstein::new(), shifted(i).map(|[x, y, _]| [x, y])).arclen(ACCURACY)
     });
     row("arc length to 1e-9", "kurbo, f64 2D", &race(CURVES, vec![peer, ours]));
-    let random = random_cubics();
+    let mut random = Random::default();
+    let random: Vec<[[f64; 2]; 4]> = numbers.iter().map(|_| random.cubic()).collect();
     let peer = each(&numbers, 0.0, |i| {
         let [a, b, c, d] = random[i].map(|[x, y]| kurbo::Point::new(x, y));
         CubicBez::new(a, b, c, d).arclen(ACCURACY)
@@ -250,18 +252,6 @@ fn lengths() {
     });
     let ours = each(&numbers, 0.0, |i| Curve::new(Bernstein::new(), shifted(i)).arclen(ACCURACY));
     row("arc length to 1e-9", "curvo, f64 3D (19 nodes, no bound)", &race(CURVES, vec![peer, ours]));
-}
-
-/// With control points in a square, by a generator that is the same everywhere.
-fn random_cubics() -> Vec<[[f64; 2]; 4]> {
-    let mut state = 0x2545_F491_4F6C_DD1D_u64;
-    let mut coordinate = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
-    (0..CURVES).map(|_| [(); 4].map(|()| [coordinate(), coordinate()])).collect()
 }
 
 fn nearest() {

@@ -7,6 +7,7 @@
 
 use std::time::{Duration, Instant};
 
+use basis_benches::Random;
 use basis_runtime::{Bezier, ParametricCurve};
 use curvo::prelude::{HasIntersectionParameter as _, Intersects as _, NurbsCurve2D};
 use divan::black_box;
@@ -29,10 +30,10 @@ fn main() {
     let count = pairs();
     println!("| {count} pairs | places | library | missed | µs for a pair |");
     println!("| --- | --- | --- | --- | --- |");
-    let mut random = Random(0x2545_F491_4F6C_DD1D);
+    let mut random = Random::default();
     let pairs: Vec<[Cubic; 2]> = (0..count).map(|_| [random.cubic(), random.cubic()]).collect();
     table("random cubics", &pairs, [Some(&ours), Some(&lyons), Some(&curvos), None]);
-    let touching: Vec<[Cubic; 2]> = (0..count).map(|_| random.touching()).collect();
+    let touching: Vec<[Cubic; 2]> = (0..count).map(|_| touching(&mut random)).collect();
     table("cubics that touch", &touching, [Some(&ours), Some(&lyons), Some(&curvos), None]);
     let lines: Vec<[Cubic; 2]> = (0..count).map(|_| [random.cubic(), line(&random.cubic())]).collect();
     table(
@@ -137,33 +138,18 @@ fn kurbo_lines([a, b]: &[Cubic; 2]) -> Vec<[f64; 2]> {
     found.iter().map(|meeting| [meeting.segment_t, meeting.line_t]).collect()
 }
 
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn cubic(&mut self) -> Cubic {
-        [(); 4].map(|()| [self.unit(), self.unit()])
-    }
-
-    /// A cubic, and another one that touches it at a random point of both.
-    fn touching(&mut self) -> [Cubic; 2] {
-        let (first, second) = (self.cubic(), self.cubic());
-        let [s, t] = [0.1 + 0.8 * self.unit(), 0.1 + 0.8 * self.unit()];
-        let [point, velocity] = Bezier::from_points(first).eval_with_derivs(s);
-        let [other, slope] = Bezier::from_points(second).eval_with_derivs(t);
-        // Turned so that the tangents are parallel, and moved so that the points coincide.
-        let angle = velocity[1].atan2(velocity[0]) - slope[1].atan2(slope[0]);
-        let (sin, cos) = angle.sin_cos();
-        let turned = second.map(|[x, y]| {
-            let (x, y) = (x - other[0], y - other[1]);
-            [point[0] + cos * x - sin * y, point[1] + sin * x + cos * y]
-        });
-        [first, turned]
-    }
+/// A cubic, and another one that touches it at a random point of both.
+fn touching(random: &mut Random) -> [Cubic; 2] {
+    let (first, second) = (random.cubic(), random.cubic());
+    let [s, t] = [0.1 + 0.8 * random.unit(), 0.1 + 0.8 * random.unit()];
+    let [point, velocity] = Bezier::from_points(first).eval_with_derivs(s);
+    let [other, slope] = Bezier::from_points(second).eval_with_derivs(t);
+    // Turned so that the tangents are parallel, and moved so that the points coincide.
+    let angle = velocity[1].atan2(velocity[0]) - slope[1].atan2(slope[0]);
+    let (sin, cos) = angle.sin_cos();
+    let turned = second.map(|[x, y]| {
+        let (x, y) = (x - other[0], y - other[1]);
+        [point[0] + cos * x - sin * y, point[1] + sin * x + cos * y]
+    });
+    [first, turned]
 }

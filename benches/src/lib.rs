@@ -1,4 +1,4 @@
-//! What the measurements share: the shipped specs and evenly spaced parameters.
+//! What the measurements share: the shipped specs, evenly spaced parameters and random numbers.
 
 use std::path::PathBuf;
 
@@ -34,4 +34,29 @@ pub fn barycentric(count: usize) -> Vec<[f64; 3]> {
             [a, b, 1.0 - a - b]
         })
         .collect()
+}
+
+/// Random numbers that are the same in every run.
+#[derive(Debug)]
+pub struct Random(u64);
+
+impl Default for Random {
+    fn default() -> Self {
+        Self(0x2545_F491_4F6C_DD1D)
+    }
+}
+
+impl Random {
+    /// A number from 0 to 1.
+    pub fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// The control points of a cubic, in a square.
+    pub fn cubic(&mut self) -> [[f64; 2]; 4] {
+        [(); 4].map(|()| [self.unit(), self.unit()])
+    }
 }

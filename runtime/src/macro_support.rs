@@ -62,13 +62,7 @@ pub fn check_reach<S: Scalar>(
     value: S,
     reaches: [(f64, &'static str); 2],
 ) -> Result<S, ShapeError> {
-    let is_double = S::of(f64::MAX).is_finite();
-    let (largest, range) = reaches[usize::from(!is_double)];
-    if value <= S::of(largest) {
-        Ok(value)
-    } else {
-        Err(ShapeError::new(family, parameter, value.to_f64(), range))
-    }
+    reached(family, parameter, value, reaches, |value, largest| value <= largest)
 }
 
 /// `value` if it is not below what this kind of floats reaches: as [`check_reach`], with the smallest shape value.
@@ -82,9 +76,21 @@ pub fn check_reach_below<S: Scalar>(
     value: S,
     reaches: [(f64, &'static str); 2],
 ) -> Result<S, ShapeError> {
+    reached(family, parameter, value, reaches, |value, smallest| value >= smallest)
+}
+
+/// `value` if it lies on the right side of the end for this kind of floats.
+#[inline]
+fn reached<S: Scalar>(
+    family: &'static str,
+    parameter: &'static str,
+    value: S,
+    reaches: [(f64, &'static str); 2],
+    is_within: fn(S, S) -> bool,
+) -> Result<S, ShapeError> {
     let is_double = S::of(f64::MAX).is_finite();
-    let (smallest, range) = reaches[usize::from(!is_double)];
-    if value >= S::of(smallest) {
+    let (end, range) = reaches[usize::from(!is_double)];
+    if is_within(value, S::of(end)) {
         Ok(value)
     } else {
         Err(ShapeError::new(family, parameter, value.to_f64(), range))

@@ -437,15 +437,13 @@ impl OnSpan<'_> {
             Input::Coordinate(0) => quote_spanned!(site()=> s),
             Input::Shape(k) => {
                 let angle = &analytic.angles[(k - shapes) % analytic.angles.len()];
-                let plus = quote_spanned!(site()=>);
+                let argument = self.argument(angle);
+                let negative = quote_spanned!(site()=> -(#argument));
                 match (k - shapes) / analytic.angles.len() {
-                    0 => self.tangent(angle, "tan", "tanh", &plus),
-                    1 => self.tangent(angle, "tan_complement", "tanh_complement", &plus),
+                    0 => self.tangent(angle, ["tan", "tanh"], &argument),
+                    1 => self.tangent(angle, ["tan_complement", "tanh_complement"], &argument),
                     // 1 + tanh x = 1 − tanh(−x)
-                    _ => {
-                        let minus = quote_spanned!(site()=> -);
-                        self.tangent(angle, "tan_complement", "tanh_complement", &minus)
-                    }
+                    _ => self.tangent(angle, ["tan_complement", "tanh_complement"], &negative),
                 }
             }
             _ => quote_spanned!(site()=> x),
@@ -461,18 +459,26 @@ impl OnSpan<'_> {
         )]
     }
 
-    /// The tangent of a shape parameter or of its negative, by one of two functions of the runtime.
-    fn tangent(&self, angle: &Angle, circular: &str, hyperbolic: &str, sign: &TokenStream) -> TokenStream {
-        let Self { runtime, family, shell, .. } = self;
-        let field = family.shapes.iter().position(|p| p.var == angle.var).map(|k| &shell.fields[k]);
+    /// What stands in the tangent of a shape parameter.
+    fn argument(&self, angle: &Angle) -> TokenStream {
+        let field = self.family.shapes.iter().position(|p| p.var == angle.var);
+        let field = field.map(|k| &self.shell.fields[k]);
         let rate = angle.speed();
         let rate = number(&rate);
+        quote_spanned!(site()=> #rate * self.#field)
+    }
+
+    /// A tangent by one of two functions of the runtime, for circular and for hyperbolic ones.
+    fn tangent(
+        &self,
+        angle: &Angle,
+        [circular, hyperbolic]: [&str; 2],
+        argument: &TokenStream,
+    ) -> TokenStream {
+        let runtime = self.runtime;
         let function = if angle.kind == Kind::Hyperbolic { hyperbolic } else { circular };
         let function = Ident::new(function, site());
-        if sign.is_empty() {
-            return quote_spanned!(site()=> #runtime::__private::#function(#rate * self.#field));
-        }
-        quote_spanned!(site()=> #runtime::__private::#function(#sign(#rate * self.#field)))
+        quote_spanned!(site()=> #runtime::__private::#function(#argument))
     }
 }
 

@@ -308,9 +308,10 @@ impl Analytic {
         self.values().into_iter().try_fold(f.clone(), put)?.as_constant()
     }
 
-    /// Whether a function contains a variable of an angle outside of sin, cos, exp and the like.
-    pub fn is_mixed(&self, f: &Fraction) -> bool {
-        self.angles.iter().any(|a| f.depends_on(a.itself))
+    /// The angles that stand in a function beside their sines or exponentials.
+    pub(crate) fn beside<'a>(&'a self, f: &'a Fraction) -> impl Iterator<Item = &'a Angle> {
+        let is_beside = |a: &&Angle| a.kind != Kind::Linear && a.itself != a.var && f.depends_on(a.itself);
+        self.angles.iter().filter(is_beside)
     }
 
     /// Whether a function contains the angle with that tangent itself, beside its sine or exponential.

@@ -5,16 +5,20 @@ use basis_prover::collections::map::SortedMap;
 
 use super::Family;
 use crate::algebra::fibre::{self, Step};
-use crate::algebra::poly::{Monomial, Poly};
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
 
 /// The Bernstein coefficients of all functions of a family on an interval, one row for each; of a rational
 /// family, of the numerators.
 pub(crate) fn bernstein_table(family: &Family) -> Option<Vec<Vec<Poly>>> {
     let (var, low, high) = family.interval()?;
-    let (degree, width) = (family.degree(var), high - low);
-    let row = |numer: &Poly| to_bernstein(&affine(&numer.coefficients_in(var), low, &width), degree);
-    Some(family.numerators().mapped(row))
+    let degree = family.degree(var);
+    Some(family.numerators().mapped(|numer| bernstein_on(numer, var, [low, high], degree)))
+}
+
+/// The Bernstein coefficients of a polynomial in a variable from `low` to `high`.
+pub(crate) fn bernstein_on(p: &Poly, var: Var, [low, high]: [&Rational; 2], degree: u32) -> Vec<Poly> {
+    to_bernstein(&affine(&p.coefficients_in(var), low, &(high - low)), degree)
 }
 
 /// The coefficients of all functions of a family on an interval in powers of the domain variable, one row for each,

@@ -16,7 +16,7 @@ use crate::algebra::number::binomial;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
-use crate::model::bernstein::{affine, to_bernstein};
+use crate::model::bernstein::bernstein_on;
 use crate::model::{Family, Parameter};
 
 /// With more corners than this, or more coefficients, a polynomial is left as it is.
@@ -138,7 +138,7 @@ pub(super) fn by_distances(p: &Poly, var: Var, [low, high]: &[Rational; 2]) -> V
     let width = high - low;
     let degree = p.degree(var);
     let scale = width.pow(degree).recip().unwrap_or(Rational::ONE);
-    let bernstein = to_bernstein(&affine(&p.coefficients_in(var), low, &width), degree);
+    let bernstein = bernstein_on(p, var, [low, high], degree);
     let scaled = |(k, c): (usize, &Poly)| c.scale(&(&scale * &binomial(degree, k as u32)));
     bernstein.iter().enumerate().map(scaled).listed()
 }

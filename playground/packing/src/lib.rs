@@ -1,6 +1,6 @@
 //! The engine for the page in few bytes, and back: WebAssembly, coded instruction by instruction.
 //!
-//! [`pack`] is for whoever builds the page, [`unpack`] is in the page. In both one walk goes through the module, with
+//! [`pack`] is for the build of the page, [`unpack`] is in the page. In both one walk goes through the module, with
 //! the same contexts: what it takes from the module and gives to the coder when it packs goes back when it unpacks.
 
 #![cfg_attr(target_family = "wasm", no_std)] // what the library adds would be most of what the page loads to unpack

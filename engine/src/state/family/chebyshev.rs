@@ -6,7 +6,7 @@
 //!
 //! *Proof.* From Eₖ to Eₖ₊₁ the multiples of wₖ are lost, so that those of wₙ are all of Eₙ. By Rolle's theorem a function of E₀ with
 //! n + 1 zeros in [a, b], each counted as often as the function vanishes there, gives one of E₁ with n zeros, …, and one of Eₙ with
-//! one: only 0 has so many. A combination of b[i], …, b[i + k] that vanishes k + 1 times inside would have n + 1 zeros with those at
+//! one: only 0 has one. A combination of b[i], …, b[i + k] that vanishes k + 1 times inside would have n + 1 zeros with those at
 //! a and b. So the Wronskian of these functions has no zero inside, and next to a it is > 0: it begins there with the product of
 //! their first derivatives that do not vanish, times a Vandermonde determinant of i, …, i + k. As all Wronskians of neighbouring
 //! functions are > 0, so are those of all functions in ascending order (M. Fekete), and all minors at points inside (S. Karlin, "Total
@@ -26,7 +26,6 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
 use crate::model::Family;
-use crate::model::angle::Kind;
 
 /// Derivatives of higher order at the ends are not looked at.
 const MAX_FUNCTIONS: usize = 7;
@@ -37,9 +36,7 @@ pub(super) const OPEN: &str = "no functions of the span were found that vanish a
 
 /// Whether a variable or a shape parameter stands beside its sine or exponential in a function.
 pub(super) fn is_mixed(family: &Family) -> bool {
-    let beside = family.analytic.angles.iter().filter(|a| a.kind != Kind::Linear && a.itself != a.var);
-    let beside = beside.listed();
-    family.functions.iter().any(|f| beside.iter().any(|a| f.value.depends_on(a.itself)))
+    family.functions.iter().any(|f| family.analytic.beside(&f.value).next().is_some())
 }
 
 /// What is enough for all minors to be ≥ 0, each with its name; `None` where no functions of the span vanish at the ends as the

@@ -20,7 +20,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::real::field::{Element, Field};
 use crate::algebra::univariate::{ToPoly as _, Univariate};
 use crate::algebra::work::Work;
-use crate::model::bernstein::{affine, to_bernstein};
+use crate::model::bernstein::{affine, bernstein_on};
 use crate::model::roots::Root;
 use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -63,11 +63,10 @@ pub(super) fn enough(family: &Family, of: &str, value: &Fraction) -> Option<Vec<
 /// The coefficients of a value in a parameter, which are to be ≥ 0: in the Bernstein basis of its range, or in powers of the
 /// distance from the only end.
 fn coefficients(value: &Fraction, p: &Parameter) -> Option<Vec<Fraction>> {
-    let (own, degree) = (value.numer().coefficients_in(p.var), value.numer().degree(p.var));
-    let (low, high) = (p.range.low.value()?, p.range.high.value());
-    let parts = match high {
-        Some(high) => to_bernstein(&affine(&own, low, &(high - low)), degree),
-        None => affine(&own, low, &Rational::ONE),
+    let (own, low) = (value.numer(), p.range.low.value()?);
+    let parts = match p.range.high.value() {
+        Some(high) => bernstein_on(own, p.var, [low, high], own.degree(p.var)),
+        None => affine(&own.coefficients_in(p.var), low, &Rational::ONE),
     };
     parts.into_iter().map(|part| Fraction::new(part, value.denom().clone())).collect()
 }

@@ -137,15 +137,10 @@ const PARTS: usize = 11;
 /// The order in which the others are tried.
 const LATER: [usize; 9] = [PARTS, 2, 3, 4, 5, 6, 7, 8, 9];
 
-/// The angles that stand in a function beside their sines.
-fn beside<'f>(family: &'f Family, value: &Fraction) -> Vec<&'f Angle> {
-    let angles = family.analytic.angles.iter();
-    angles.filter(|a| a.kind != Kind::Linear && a.itself != a.var && value.depends_on(a.itself)).listed()
-}
-
 /// Whether a comparison is about the sign of a function in which an angle stands beside its sine.
 fn is_mixed(family: &Family, value: &Fraction, comparison: Comparison) -> bool {
-    !matches!(comparison, Comparison::Equal | Comparison::NotEqual) && !beside(family, value).is_empty()
+    !matches!(comparison, Comparison::Equal | Comparison::NotEqual)
+        && family.analytic.beside(value).next().is_some()
 }
 
 /// What is enough for a value to compare with 0 as claimed, by a way with this number; `None` where that leads nowhere.
@@ -175,7 +170,7 @@ fn steps(
     };
     let value = parameters_alone(family, value)?;
     let whole = Step::new(of.clone(), value.clone(), relation);
-    if beside(family, &value).is_empty() {
+    if family.analytic.beside(&value).next().is_none() {
         // By the ways that are tried first, with and without ends of ranges.
         return matches!(way, Way::Wider | Way::Ladder(_)).then(|| vec![whole]);
     }
@@ -399,7 +394,7 @@ fn bounded(
             step.ranges.push((angle.var, range));
         }
     }
-    if beside(family, &step.value).is_empty() {
+    if family.analytic.beside(&step.value).next().is_none() {
         return Some(vec![step]);
     }
     let mut all = Vec::new();
