@@ -500,17 +500,29 @@ impl Answers {
         first[1] >= second[0] || square <= 64.0 * self.accuracy * self.accuracy
     }
 
-    /// Intervals around a crossing outside of which the curves are not near each other.
+    /// Intervals around a crossing outside of which the curves are not near each other, as far as they are straight.
     #[inline]
     fn around(&self, at: [f64; 2]) -> [[f64; 2]; 2] {
         let pieces = [0, 1].map(|k| super::local::piece_at(&self.curves[k], at[k]));
         let [Some(a), Some(b)] = pieces else { return at.map(|t| [t, t]) };
-        let (_, columns) = state(a, b, [a.place(at[0]), b.place(at[1])]);
+        let places = [a.place(at[0]), b.place(at[1])];
+        let (_, columns) = state(a, b, places);
         let Some(rows) = pseudo_inverse(&columns) else { return at.map(|t| [t, t]) };
-        let widths = [a, b].map(|piece| piece.domain()[1] - piece.domain()[0]);
+        let mut reach = rows.map(|row| 2.0 * self.accuracy * Scalar::sqrt(dot(&row, &row)));
+        let sign = if dot(&columns[0], &columns[1]) > 0.0 { -1.0 } else { 1.0 };
+        // Almost parallel ones are not straight as far as that.
+        let is_near = |steps: [f64; 2]| {
+            let (value, _) = state(a, b, [0, 1].map(|k| (places[k] + steps[k]).clamp(0.0, 1.0)));
+            dot(&value, &value) <= 16.0 * self.accuracy * self.accuracy
+        };
+        while reach[0].max(reach[1]) > 1e-12
+            && !(is_near([reach[0], sign * reach[1]]) && is_near([-reach[0], -sign * reach[1]]))
+        {
+            reach = reach.map(|r| 0.5 * r);
+        }
+        let pieces = [a, b];
         [0, 1].map(|k| {
-            let reach = 2.0 * self.accuracy * Scalar::sqrt(dot(&rows[k], &rows[k])) * widths[k];
-            [at[k] - reach, at[k] + reach]
+            [-reach[k], reach[k]].map(|step| pieces[k].parameter((places[k] + step).clamp(0.0, 1.0)))
         })
     }
 }

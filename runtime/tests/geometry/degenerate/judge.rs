@@ -197,7 +197,8 @@ pub fn judge<const D: usize>(
     for &(at, made) in &case.places {
         let order = if let Made::Touch(order) = made { order } else { 0 };
         let gap = [1e-6, 1e-5, 1e-3, 1e-2][order as usize];
-        if asked == Asked::Itself && extent(a, at) <= 8.0 * accuracy {
+        let least = if order == 0 { 8.0 * accuracy } else { 8.0 * accuracy.sqrt() };
+        if asked == Asked::Itself && extent(a, at) <= least {
             continue;
         }
         let Some(meeting) = found.iter().find(|m| covers(m, at, gap)) else {

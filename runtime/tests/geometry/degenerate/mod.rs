@@ -53,7 +53,7 @@ impl Wrong {
     }
 
     fn report(&self) {
-        let some = self.all.iter().take(10).cloned().collect::<Vec<_>>().join("\n\n");
+        let some = self.all.iter().take(400).cloned().collect::<Vec<_>>().join("\n\n");
         assert!(self.all.is_empty(), "{} wrong answers of seed {}:\n{some}", self.all.len(), self.seed);
         assert!(self.met > 0);
     }
