@@ -11,7 +11,7 @@ use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
 
 /// Evaluates a function; `false` when it went wrong or waits for another one.
-pub(super) fn evaluate(scope: &mut Scope<'_>, index: &[i64]) -> bool {
+pub(in crate::model::expand) fn evaluate(scope: &mut Scope<'_>, index: &[i64]) -> bool {
     let Some(PlannedFunction { def, index: own, constants }) = scope.planned_functions.get(&index.to_vec())
     else {
         return false;
@@ -33,7 +33,7 @@ pub(super) fn evaluate(scope: &mut Scope<'_>, index: &[i64]) -> bool {
 }
 
 /// Leaves a function without a value, and those that the same loop or permutation defines.
-pub(super) fn give_up(scope: &mut Scope<'_>, index: &[i64]) {
+pub(in crate::model::expand) fn give_up(scope: &mut Scope<'_>, index: &[i64]) {
     let Some(PlannedFunction { def, .. }) = scope.planned_functions.get(&index.to_vec()) else { return };
     let def = *def;
     if def.permute || !def.loops.generators.is_empty() {

@@ -1,11 +1,14 @@
 //! The functions of a family: one by one, by loops, by permutation, and by recursion from a lowest order.
 
+mod indices;
+pub(super) mod single;
+
 use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::function::{numbered_corners, permuted};
-use super::indices::{MAX_FUNCTIONS, check_indices, sizes};
+use self::indices::{MAX_FUNCTIONS, sizes};
+use self::single::{numbered_corners, permuted};
 use super::names;
 use crate::model::scope::{Definition, Needed, PlannedFunction, Scope};
 use crate::model::tuples::numbered;
@@ -15,6 +18,8 @@ use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_by;
+
+pub(super) use self::indices::check_indices;
 
 /// Defines what the statements define. Names and functions may stand in any order, unless the functions are raised from
 /// those of a lowest order: then a statement sees what those before it define.

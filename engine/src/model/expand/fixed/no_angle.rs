@@ -6,7 +6,7 @@ use crate::model::scope::{Fixed, Scope};
 use crate::model::{Family, Library};
 use crate::syntax::{self, Binding};
 
-pub(super) fn without_tangents(
+pub(in crate::model::expand) fn without_tangents(
     _: &Library<'_>,
     _: usize,
     _: &syntax::Family,

@@ -3,9 +3,9 @@
 //! A family with angles is expanded in tangents of parts of them, which may be irrational where the angle itself has a simple
 //! value: with tan(α/4), at α = π/2. What is claimed there is about the family with π/2 in place of α, expanded anew.
 
-use super::angles::{are_ordered, is_alone};
-use super::names;
-use super::shapes::without_indices;
+use super::super::angles::{are_ordered, is_alone};
+use super::super::names;
+use super::super::shapes::without_indices;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Given, Kind};
@@ -18,7 +18,7 @@ use crate::syntax::{self, Binding, StatementKind};
 
 /// The angles among the shape parameters that a block fixes to values inside of their ranges at which their tangents are
 /// irrational; the family has to be expanded with these values.
-pub(super) fn without_tangents<'a>(
+pub(in crate::model::expand) fn without_tangents<'a>(
     library: &'a Library<'a>,
     unit: usize,
     written: &'a syntax::Family,

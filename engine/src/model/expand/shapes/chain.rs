@@ -1,35 +1,21 @@
-//! Shape parameters: their ranges, which may depend on one another, and what `assume` says of their values.
+//! Chains of ranges such as `0 < q < p <= 1`: which parameters they declare, and where the range of each ends.
 
 use core::ops::ControlFlow;
 
-use basis_kernel::{Relation, Statement as Proposition};
+use basis_kernel::Relation;
+use basis_prover::collections::list::Mapped;
 use proc_macro2::Span;
-use std::rc::Rc;
 
-use super::domain::variable;
-use super::names::attempt;
+use super::{Shapes, constrain};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::{End, Range};
-use crate::algebra::rational::Rational;
-use crate::model::budget::SPLIT;
-use crate::model::chart::{self, Constraint, MAX_CONDITIONS, Piece};
+use crate::model::expand::domain::variable;
+use crate::model::expand::names::attempt;
 use crate::model::formula::numbers::checked_range;
 use crate::model::formula::print::Printer;
-use crate::model::obligation::Goal;
 use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
-use crate::syntax::{
-    self, Comparison, Expr, ExprKind, Factor, Generator, Name, Relation as Written, ShapeDecl, StatementKind,
-};
-use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::collections::map::SortedMap;
-
-/// The shape parameters of a family, and what is assumed of them.
-pub(super) struct Shapes {
-    pub(super) parameters: Vec<Parameter>,
-    pub(super) constraints: Vec<Constraint>,
-}
+use crate::syntax::{self, Expr, ExprKind, Factor, Generator, Name, ShapeDecl, StatementKind};
 
 /// What stands in a chain of ranges.
 enum Part {
@@ -37,56 +23,6 @@ enum Part {
     New(Name),
     /// A number, or an expression in parameters that are declared before.
     Value(Fraction),
-}
-
-/// Declares the shape parameters, which become variables 0, 1, …, and reads what is assumed of them.
-pub(super) fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Shapes> {
-    let mut shapes = Shapes { parameters: Vec::new(), constraints: Vec::new() };
-    let mut complete = true;
-    let mut others = Others::new(written);
-    for statement in &written.statements {
-        let StatementKind::Shape(decls) = &statement.kind else { continue };
-        for decl in decls {
-            if let Some(place) = own_name(decl).and_then(|own| others.later.iter().position(|n| *n == own)) {
-                others.later.remove(place);
-            }
-            if !declare(scope, decl, &statement.doc, &others, &mut shapes) {
-                complete = false;
-                // What follows from that is not another mistake.
-                let names = decl.parts.iter().filter_map(written_name).map(String::from);
-                scope.undeclared.borrow_mut().extend(names);
-            }
-        }
-    }
-    let mut last = None;
-    for statement in &written.statements {
-        let StatementKind::Assume(relation) = &statement.kind else { continue };
-        last = Some(relation.span);
-        complete &= !complete || assume(scope, relation, &mut shapes);
-    }
-    if !complete {
-        return None;
-    }
-    let first = written.statements.iter().find(|s| matches!(s.kind, StatementKind::Shape(_)));
-    let span = last.or(first.map(|s| s.span)).unwrap_or_else(Span::call_site);
-    has_values(scope, &shapes, span).then_some(shapes)
-}
-
-/// Whether there are shape values that satisfy all that is assumed; if not, that is reported.
-pub(super) fn has_values(scope: &mut Scope<'_>, shapes: &Shapes, span: Span) -> bool {
-    let ranges = shapes.parameters.mapped(|p| (p.var, p.range.clone()));
-    let constraints = shapes.constraints.mapped(|c| (c.value.clone(), c.relation));
-    let fixed = core::mem::take(&mut scope.impossible);
-    match parts(scope, &ranges, &constraints, span) {
-        None => return false,
-        Some(pieces) if fixed.is_none() && !pieces.is_empty() => return true,
-        Some(_) => {}
-    }
-    let texts = chart::texts(&shapes.constraints);
-    let error = scope.error(fixed.unwrap_or(span), "no shape values satisfy all that is assumed");
-    let error = if texts.is_empty() { error } else { error.note(format!("assumed is {}", texts.join(", "))) };
-    scope.report(error.help("widen the ranges, or leave an assumption out"));
-    false
 }
 
 /// The values of the index variables of a chain; `None` with an error if there are none, or a bound went wrong.
@@ -114,7 +50,10 @@ fn rounds(scope: &mut Scope<'_>, decl: &ShapeDecl) -> Option<Vec<Vec<(String, i6
 
 /// The chains that one with index variables stands for: names such as `w[0]` in place of indices.
 #[cfg(feature = "angles")]
-pub(super) fn without_indices(scope: &mut Scope<'_>, decl: &ShapeDecl) -> Option<Vec<ShapeDecl>> {
+pub(in crate::model::expand) fn without_indices(
+    scope: &mut Scope<'_>,
+    decl: &ShapeDecl,
+) -> Option<Vec<ShapeDecl>> {
     let is_indexed = |e: &Expr| matches!(e.kind, ExprKind::Index(..));
     if decl.loops.generators.is_empty() && !decl.parts.iter().any(is_indexed) {
         return Some(vec![decl.clone()]);
@@ -136,7 +75,7 @@ pub(super) fn without_indices(scope: &mut Scope<'_>, decl: &ShapeDecl) -> Option
 }
 
 /// Declares what a chain declares, for all values of its index variables; whether all went well.
-fn declare(
+pub(super) fn declare(
     scope: &mut Scope<'_>,
     decl: &ShapeDecl,
     doc: &[String],
@@ -183,7 +122,7 @@ fn has_index(scope: &Scope<'_>, decl: &ShapeDecl, rounds: &[Vec<(String, i64)>])
 }
 
 /// The name that a part of a chain is, without its index.
-fn written_name(part: &Expr) -> Option<&str> {
+pub(super) fn written_name(part: &Expr) -> Option<&str> {
     match &part.kind {
         ExprKind::Name(name) => Some(name),
         ExprKind::Index(base, _) => written_name(base),
@@ -277,29 +216,6 @@ fn one(
         let relation = if decl.included[k - 1] { Relation::NonNegative } else { Relation::Positive };
         constrain(scope, &(&values[k] - &values[k - 1]), relation, text, span, shapes)?;
     }
-    Some(())
-}
-
-/// Notes that a value has a sign; it must be a polynomial.
-fn constrain(
-    scope: &Scope<'_>,
-    value: &Fraction,
-    relation: Relation,
-    text: String,
-    span: Span,
-    shapes: &mut Shapes,
-) -> Option<()> {
-    if shapes.constraints.len() == MAX_CONDITIONS {
-        let message = format!("a family has at most {MAX_CONDITIONS} conditions on its shape values");
-        scope.report(scope.error(span, message).help("leave out those that follow from others"));
-        return None;
-    }
-    let Some(value) = value.as_poly() else {
-        let error = scope.error(span, "a denominator contains a parameter in a condition on shape values");
-        scope.report(error.help("multiply by it: write the condition with polynomials"));
-        return None;
-    };
-    shapes.constraints.push(Constraint { value: value.clone(), relation, text, is_end: false });
     Some(())
 }
 
@@ -418,15 +334,15 @@ fn target(scope: &mut Scope<'_>, decl: &ShapeDecl, k: usize, others: &Others) ->
 }
 
 /// Names that have a meaning in other statements of the family.
-struct Others {
+pub(super) struct Others {
     /// Of the domain variables.
     domain: Vec<String>,
     /// Of the shape parameters that later chains declare.
-    later: Vec<String>,
+    pub(super) later: Vec<String>,
 }
 
 impl Others {
-    fn new(written: &syntax::Family) -> Self {
+    pub(super) fn new(written: &syntax::Family) -> Self {
         let (mut domain, mut later) = (Vec::new(), Vec::new());
         for statement in &written.statements {
             match &statement.kind {
@@ -443,7 +359,7 @@ impl Others {
 }
 
 /// The name whose range a chain is, without its index.
-fn own_name(decl: &ShapeDecl) -> Option<String> {
+pub(super) fn own_name(decl: &ShapeDecl) -> Option<String> {
     match &decl.parts[primary(decl)?].kind {
         ExprKind::Name(name) => Some(name.clone()),
         ExprKind::Index(base, _) => match &base.kind {
@@ -452,159 +368,4 @@ fn own_name(decl: &ShapeDecl) -> Option<String> {
         },
         _ => None,
     }
-}
-
-/// Reads an assumption, for all values of its index variables; whether all went well.
-pub(super) fn assume(scope: &mut Scope<'_>, relation: &Written, shapes: &mut Shapes) -> bool {
-    let mut rounds = None;
-    let depth = scope.constants.len();
-    attempt(scope, &mut |scope| {
-        let mut all = Vec::new();
-        let fine = scope.each(&relation.loops, &mut |scope| {
-            all.push(scope.constants[depth..].to_vec());
-            true
-        });
-        rounds = Some((all, fine));
-        Some(())
-    });
-    let Some((rounds, mut fine)) = rounds else { return false };
-    for constants in rounds {
-        scope.constants.extend(constants);
-        fine &= assume_one(scope, relation, shapes).is_some();
-        scope.constants.truncate(depth);
-    }
-    fine
-}
-
-fn assume_one(scope: &mut Scope<'_>, relation: &Written, shapes: &mut Shapes) -> Option<()> {
-    let mut left = &relation.left;
-    let first = core::iter::once((relation.comparison, &relation.right));
-    for (sign, right) in first.chain(relation.chain.iter().map(|(sign, side)| (*sign, side))) {
-        let a = attempt(scope, &mut |scope| scope.scalar(left))?;
-        let b = attempt(scope, &mut |scope| scope.scalar(right))?;
-        let printer = Printer { constants: &scope.constants, component: None };
-        let text = format!("{} {} {}", printer.print(left), sign.symbol(), printer.print(right));
-        let difference = scope.fits(scope.budget.sub(&a, &b), relation.span)?;
-        match sign {
-            Comparison::Equal => determine(scope, &difference, relation.span, &text, shapes)?,
-            Comparison::NotEqual => {
-                let error = scope.error(relation.span, "an assumption is an inequality or a linear equation");
-                scope.report(error.help("narrow the range of a parameter, such as by `assume λ > 0;`"));
-                return None;
-            }
-            _ => {
-                let strict = matches!(sign, Comparison::Less | Comparison::Greater);
-                let below = matches!(sign, Comparison::Less | Comparison::LessEqual);
-                let value = if below { -&difference } else { difference };
-                let relation_of = if strict { Relation::Positive } else { Relation::NonNegative };
-                constrain(scope, &value, relation_of, text, relation.span, shapes)?;
-            }
-        }
-        left = right;
-    }
-    Some(())
-}
-
-/// An equation that is linear in a parameter determines it: of several the one that is declared last.
-fn determine(
-    scope: &mut Scope<'_>,
-    difference: &Fraction,
-    span: Span,
-    text: &str,
-    shapes: &mut Shapes,
-) -> Option<()> {
-    let p = difference.numer();
-    if let Some(c) = p.as_constant() {
-        if !c.is_zero() {
-            scope.impossible = Some(span);
-        }
-        return Some(());
-    }
-    if scope.analytic.pi.is_some() {
-        let error = scope.error(span, "an equation cannot determine a parameter beside angles, or ends of the domain that are parameters");
-        scope.report(error.help("put the value of the parameter in its place"));
-        return None;
-    }
-    let slope = |var: Var| p.derivative(var).as_constant().filter(|c| !c.is_zero());
-    let found =
-        shapes.parameters.iter().rev().find_map(|parameter| Some((parameter.var, slope(parameter.var)?)));
-    let Some((var, slope)) = found else {
-        let error = scope.error(span, "the equation is not linear in a shape parameter");
-        scope.report(error.help(
-            "an equation determines a parameter, as in `assume B + 2*C = 1;`; otherwise write inequalities",
-        ));
-        return None;
-    };
-    let value = p.at(var, &Rational::ZERO).scale(&-&slope.recip().unwrap_or(Rational::ONE));
-    // The parameter is no variable any more, and those after it move up.
-    let place = shapes.parameters.iter().position(|p| p.var == var)?;
-    let parameter = shapes.parameters.remove(place);
-    let moved = |v: Var| if v > var { Var(v.0 - 1) } else { v };
-    let names: Vec<Var> = (0..scope.names.len()).map(|k| moved(Var(k))).listed();
-    let put = |p: &Poly| p.substitute(var, &value).rename(&names);
-    for constraint in &mut shapes.constraints {
-        constraint.value = put(&constraint.value);
-    }
-    let value = value.rename(&names);
-    for (_, known) in &mut scope.determined {
-        if let Some(p) = known.as_poly() {
-            *known = Fraction::from(put(p));
-        }
-    }
-    for other in &mut shapes.parameters {
-        other.var = moved(other.var);
-    }
-    scope.names.remove(var.0);
-    // What has been evaluated already may mention the variables as they were.
-    scope.lets = SortedMap::new();
-    scope.determined.push((parameter.name.clone(), Fraction::from(value.clone())));
-    for (end, above) in [(&parameter.range.low, false), (&parameter.range.high, true)] {
-        let Some(bound) = end.value() else { continue };
-        let distance = &value - &Poly::constant(bound.clone());
-        let distance = if above { -&distance } else { distance };
-        let relation = if end.is_included() { Relation::NonNegative } else { Relation::Positive };
-        let sign = match (above, end.is_included()) {
-            (false, true) => ">=",
-            (false, false) => ">",
-            (true, true) => "<=",
-            (true, false) => "<",
-        };
-        let text = format!("{} {sign} {bound} by {text}", parameter.name);
-        shapes.constraints.push(Constraint { value: distance, relation, text, is_end: false });
-    }
-    Some(())
-}
-
-/// The values that satisfy conditions, in parts; none if it is known that there are no such values. `None` when that takes
-/// too much work, which is reported.
-pub(crate) fn parts(
-    scope: &Scope<'_>,
-    ranges: &[(Var, Range)],
-    constraints: &[(Poly, Relation)],
-    span: Span,
-) -> Option<Vec<Piece>> {
-    let (pieces, units) = basis_prover::measured(&mut || {
-        let pieces = chart::pieces(ranges, constraints);
-        if pieces.iter().all(|piece| is_empty(scope, piece)) { Vec::new() } else { pieces }
-    });
-    // Each variable that is eliminated is looked for in all conditions.
-    let units = units + 20 * (ranges.len() * constraints.len()) as u64;
-    scope.within(scope.budget.run().decision(units), span, SPLIT).map(|()| pieces)
-}
-
-/// Whether it is known that a part of the values has no points: one of its premises is false everywhere.
-fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
-    let domain =
-        Rc::new(basis_kernel::Domain::of(crate::algebra::range::Region { ranges: piece.ranges.clone() }));
-    piece.premises.iter().any(|(p, relation)| {
-        let other = match relation {
-            Relation::NonNegative => Relation::Positive,
-            Relation::Positive => Relation::NonNegative,
-        };
-        let Some(p) = piece.pull_back(p) else { return false };
-        let value = basis_kernel::Quotient::from(-&p);
-        let never = Goal::Holds(Proposition::Sign { value, relation: other, domain: Rc::clone(&domain) });
-        // Where proofs are checked later, nothing is known.
-        matches!(scope.library.judge().judge(&never, 1), Ok(Some(_)))
-    })
 }

@@ -1,9 +1,15 @@
-//! The values that `at` blocks fix: of variables, of barycentric coordinates, and by `fixed_angle` of angles.
+//! The values that `at` blocks fix: of variables, of barycentric coordinates, and by `angle` of angles.
+
+#[cfg(feature = "angles")]
+mod angle;
+#[cfg(not(feature = "angles"))]
+#[path = "no_angle.rs"]
+mod angle;
 
 use basis_prover::collections::sort::sort_by_key;
 use proc_macro2::Span;
 
-use super::fixed_angle::fixed_angle;
+use self::angle::fixed_angle;
 use super::names::bound_name;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -12,6 +18,8 @@ use crate::model::scope::{Fixed, Inside, Scope};
 use crate::model::{Barycentric, Family, Parameter, chart, label};
 use crate::syntax::Binding;
 use basis_prover::collections::list::Listed;
+
+pub(super) use self::angle::without_tangents;
 
 /// Reports values that what is assumed rules out.
 pub(super) fn assumed_away(scope: &Scope<'_>, family: &Family, span: Span, message: &str) {
