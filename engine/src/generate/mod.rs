@@ -34,7 +34,7 @@ use quote::quote_spanned;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
-use crate::model::tangents::in_tangents;
+use crate::model::angle::tangents::in_tangents;
 use crate::plan::form::{IntervalForm, RationalForm};
 use crate::plan::reach::{self, Reach};
 use crate::state::Verdict;

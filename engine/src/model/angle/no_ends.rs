@@ -1,13 +1,13 @@
 //! Stands for the ends of domains in an angle where the feature `angles` is off: there are none.
 
-use super::Family;
-use super::angle::Angle;
+use super::Angle;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::model::Family;
 
-pub(super) fn derivatives(
+pub(in crate::model) fn derivatives(
     _: &Family,
     _: &Angle,
     _: &Fraction,
@@ -18,7 +18,7 @@ pub(super) fn derivatives(
     None
 }
 
-pub(super) fn reversed(
+pub(in crate::model) fn reversed(
     _: (&Angle, &Angle),
     _: [&Rational; 2],
     _: [&Rational; 2],

@@ -13,11 +13,11 @@
 
 use proc_macro2::Span;
 
-use super::AngleValue;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Kind};
+use crate::model::formula::AngleValue;
 use crate::model::scope::Scope;
 use basis_prover::collections::list::Mapped;
 
@@ -26,7 +26,7 @@ type Powers = Vec<Fraction>;
 
 impl Scope<'_> {
     /// The integral in an angle between two values of it.
-    pub(super) fn over_angle(
+    pub(in crate::model::formula) fn over_angle(
         &self,
         f: &Fraction,
         angle: &Angle,

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::Family;
+use crate::model::Family;
 
 /// The family as it is.
 #[allow(clippy::unnecessary_wraps)]

@@ -1,7 +1,13 @@
 //! Integrals in expressions: `integral(f)` over the domain, `integral(f, t, a, b)` in one variable between bounds.
 //!
-//! A polynomial has a polynomial as its antiderivative; for quotients and angles see `antiderivative`. Over the simplex
+//! A polynomial has a polynomial as its antiderivative; for quotients see `antiderivative`, for angles `angles`, over several
+//! spans `spans`. Over the simplex
 //! u₁ + … + uₖ ≤ 1 the integral of u₁^a₁ ⋯ uₖ^aₖ is a₁! ⋯ aₖ!/(a₁ + … + aₖ + k)!.
+
+#[cfg(feature = "angles")]
+mod angles;
+mod antiderivative;
+mod spans;
 
 use proc_macro2::Span;
 
@@ -61,7 +67,7 @@ impl Scope<'_> {
     }
 
     /// The integral of the formulas of this scope.
-    pub(super) fn over_one(
+    pub(in crate::model::formula) fn over_one(
         &mut self,
         f: &Expr,
         bounds: Option<(Var, Fraction, Fraction)>,
@@ -130,7 +136,7 @@ impl Scope<'_> {
     }
 
     /// Whether a domain variable occurs in a function: of an angle its tangent, or itself.
-    pub(super) fn occurs(&self, f: &Fraction, var: Var) -> bool {
+    pub(in crate::model::formula) fn occurs(&self, f: &Fraction, var: Var) -> bool {
         f.depends_on(var) || self.analytic.angle(var).is_some_and(|a| f.depends_on(a.itself))
     }
 

@@ -4,12 +4,12 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::model::Family;
 use crate::model::expand::names;
 use crate::model::expand::spans::ends;
+use crate::model::formula::Value;
 use crate::model::scope::{CallSite, Inside, Scope, Stage};
 use crate::syntax::Expr;
 use basis_prover::collections::list::{Listed, Mapped};
@@ -25,7 +25,7 @@ struct Located {
 
 impl Scope<'_> {
     /// Whether an integral over the domain variable is about the formulas of several spans, which this scope does not know all.
-    pub(super) fn is_of_spans(&self, f: &Expr, whole: bool) -> bool {
+    pub(in crate::model::formula) fn is_of_spans(&self, f: &Expr, whole: bool) -> bool {
         self.span.is_some()
             && (self.siblings.is_some() || self.stage == Stage::Defining)
             && (whole || self.varies(f, self.planned.len()))
@@ -50,7 +50,7 @@ impl Scope<'_> {
     }
 
     /// The integral over several spans, the sum of those over each; between bounds over the parts that lie between them.
-    pub(super) fn over_spans(
+    pub(in crate::model::formula) fn over_spans(
         &mut self,
         f: &Expr,
         bounds: Option<&[Fraction; 2]>,

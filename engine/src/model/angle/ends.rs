@@ -8,15 +8,15 @@
 
 use basis_prover::collections::list::Listed;
 
-use super::Family;
-use super::angle::{Angle, Kind};
+use super::{Angle, Kind};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::model::Family;
 
 /// The value of a function and its derivatives up to an order at an end.
-pub(super) fn derivatives(
+pub(in crate::model) fn derivatives(
     family: &Family,
     angle: &Angle,
     f: &Fraction,
@@ -44,7 +44,7 @@ pub(super) fn derivatives(
 ///
 /// With u from 0 to 1 on both spans, tan of the difference from the sum of the ends is a quotient of linear functions of
 /// u with the values 1 and 0 at the ends, (1 - u)/(1 + c·u), and 1 + c is what the slopes say at the end u = 0.
-pub(super) fn reversed(
+pub(in crate::model) fn reversed(
     (own, angle): (&Angle, &Angle),
     [low, high]: [&Rational; 2],
     [other_low, other_high]: [&Rational; 2],

@@ -10,8 +10,7 @@ use std::rc::Rc;
 
 use basis_prover::collections::list::Listed;
 
-use super::angle::{Angle, Kind};
-use super::{Family, Function};
+use super::{Angle, Kind};
 use crate::algebra::divisors::gcd::gcd_all;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
@@ -19,6 +18,7 @@ use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_within;
 use crate::algebra::work::Work;
+use crate::model::{Family, Function};
 
 /// The work for one family.
 const WORK: u64 = 50_000_000;

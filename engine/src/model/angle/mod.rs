@@ -9,6 +9,19 @@
 //! holds if and only if it holds for all values of these variables, as is so for s itself beside x. The number tan(π/n) is
 //! algebraic: an equation that contains it is divided by its minimal polynomial before it is looked at.
 
+#[cfg(feature = "angles")]
+pub(crate) mod enclosure;
+#[cfg(feature = "angles")]
+pub(super) mod ends;
+#[cfg(not(feature = "angles"))]
+#[path = "no_ends.rs"]
+pub(super) mod ends;
+#[cfg(feature = "angles")]
+pub(crate) mod tangents;
+#[cfg(not(feature = "angles"))]
+#[path = "no_tangents.rs"]
+pub(crate) mod tangents;
+
 use std::collections::BTreeSet;
 
 use basis_prover::collections::list::Listed;
