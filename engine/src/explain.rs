@@ -29,8 +29,8 @@ use crate::algebra::work::Work;
 use crate::claim::{self, Claim, ClaimKind, Expected};
 use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Function, Parameter};
-use crate::plan::form::IntervalForm;
-use crate::plan::patch_form::{PatchForm, factored_text};
+use crate::plan::interval::form::IntervalForm;
+use crate::plan::patch::form::{PatchForm, factored_text};
 use crate::state::Verdict;
 use crate::{rounding, state};
 

@@ -35,7 +35,7 @@ use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 use crate::model::angle::tangents::in_tangents;
-use crate::plan::form::{IntervalForm, RationalForm};
+use crate::plan::interval::form::{IntervalForm, RationalForm};
 use crate::plan::reach::{self, Reach};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};

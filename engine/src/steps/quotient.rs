@@ -13,8 +13,9 @@ use crate::generate::rational_forms;
 use crate::model::Family;
 use crate::model::angle::{Analytic, Angle, Kind};
 use crate::plan::denominator::Sign;
-use crate::plan::form::RationalForm;
-use crate::plan::{Input, Plan, rational};
+use crate::plan::interval::form::RationalForm;
+use crate::plan::interval::rational;
+use crate::plan::{Input, Plan};
 use basis_prover::collections::list::Listed;
 
 /// Numbers that depend on the shape values and are computed once for them.

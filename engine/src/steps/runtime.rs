@@ -4,7 +4,7 @@
 use super::Builder;
 use crate::algebra::number::binomial;
 use crate::algebra::rational::Rational;
-use crate::plan::patch_form::multi_indices;
+use crate::plan::patch::form::multi_indices;
 
 impl Builder {
     /// `Point::add_scaled`: a + b·factor.

@@ -1,6 +1,9 @@
 //! Families on an interval: values, tables, and the binding to control points.
 
-use super::form::{Factored, IntervalForm, MAX_ENDPOINT_DEGREE};
+pub mod form;
+pub mod rational;
+
+use self::form::{Factored, IntervalForm, MAX_ENDPOINT_DEGREE};
 use super::{Builder, Input, Let, Node, Plan, Ref};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;

@@ -2,8 +2,8 @@
 
 use basis_prover::collections::list::{Listed, Mapped};
 
-use super::denominator::{Completed, Sign};
-use super::sign::has_one_sign;
+use crate::plan::denominator::{Completed, Sign};
+use crate::plan::sign::has_one_sign;
 
 use crate::algebra::divisors::gcd::square_free;
 use crate::algebra::number::binomial;
@@ -21,7 +21,7 @@ use crate::model::bernstein::{affine, to_bernstein};
 pub const MAX_ENDPOINT_DEGREE: u32 = 4;
 
 /// A common factor of more bits than this is no help to readers or floats.
-pub(super) const MAX_CONTENT: u64 = 60;
+pub(in crate::plan) const MAX_CONTENT: u64 = 60;
 
 /// All functions of a family on an interval, rewritten for evaluation in x = (t − low)/(high − low), s = 1 − x.
 #[derive(Clone, Debug)]
@@ -289,7 +289,7 @@ const SQUARE: u64 = 2_000_000;
 
 /// h and g with p = h²·g, the coefficients of h being whole numbers without a common divisor; `None` where h would be
 /// without these variables.
-pub(super) fn square_factor(p: &Poly, vars: &[Var]) -> Option<(Poly, Poly)> {
+pub(in crate::plan) fn square_factor(p: &Poly, vars: &[Var]) -> Option<(Poly, Poly)> {
     let depends = |p: &Poly| vars.iter().any(|var| p.depends_on(*var));
     let factors = square_free(p, &mut Work::new(SQUARE))?;
     let factors = factors.iter().filter(|(factor, _)| depends(factor));

@@ -2,11 +2,11 @@
 //! and the ends of the domain where these are shape parameters.
 
 use super::form::RationalForm;
-use super::interval::{table, value};
-use super::{Builder, Input, Let, Node, Plan};
+use super::{table, value};
 use crate::algebra::poly::Poly;
 use crate::model::Family;
 use crate::model::angle::Angle;
+use crate::plan::{Builder, Input, Let, Node, Plan};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// The values of all functions: numerators in factored form, each divided by the common denominator. Of a family without

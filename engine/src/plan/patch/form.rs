@@ -4,13 +4,13 @@
 //! (x, s), x = (t − low)/(high − low), for each of its variables. In every group a function is made homogeneous with
 //! the powers of the sum, which is 1; its coefficients are then those of the Bernstein form, up to multinomial factors.
 
-use super::form::{MAX_CONTENT, square_factor};
-use super::sign::has_one_sign;
 use crate::algebra::number::binomial;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::model::{Factor, Family, Function};
+use crate::plan::interval::form::{MAX_CONTENT, square_factor};
+use crate::plan::sign::has_one_sign;
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 

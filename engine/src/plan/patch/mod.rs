@@ -4,7 +4,9 @@
 //! its own; each step is a sum of products of nonnegative coordinates with functions, so it keeps signs and small
 //! relative errors.
 
-use super::patch_form::{PatchForm, PatchFunction, exponents, multi_indices, raised};
+pub mod form;
+
+use self::form::{PatchForm, PatchFunction, exponents, multi_indices, raised};
 use super::{Builder, Input, Let, Node, Plan, Ref};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
