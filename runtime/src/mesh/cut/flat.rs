@@ -18,11 +18,11 @@ use crate::SurfacePiece;
 use crate::surface::nearest::Piece;
 
 /// A point in double precision.
-pub(super) type P3 = [f64; 3];
+pub(in crate::mesh) type P3 = [f64; 3];
 
 /// A part of a piece over a rectangle.
 #[derive(Clone)]
-pub(super) struct Part {
+pub(in crate::mesh) struct Part {
     /// The index of its piece.
     piece: usize,
     /// The rectangle in the parameters of the surface.
@@ -34,18 +34,18 @@ pub(super) struct Part {
 
 impl Part {
     /// The range of a parameter of the surface.
-    pub(super) fn span(&self, axis: usize) -> [f64; 2] {
+    pub(in crate::mesh) fn span(&self, axis: usize) -> [f64; 2] {
         self.span[axis]
     }
 
     /// All control points.
-    pub(super) fn points(&self) -> impl Iterator<Item = P3> {
+    pub(in crate::mesh) fn points(&self) -> impl Iterator<Item = P3> {
         let [m, n] = self.net.degrees();
         (0..=n).flat_map(move |j| (0..=m).map(move |i| self.point(i, j)))
     }
 
     /// The control points along a parameter at the lower or upper end of the other one.
-    pub(super) fn side(&self, axis: usize, is_end: bool) -> impl Iterator<Item = P3> {
+    pub(in crate::mesh) fn side(&self, axis: usize, is_end: bool) -> impl Iterator<Item = P3> {
         let degrees = self.net.degrees();
         let across = if is_end { degrees[1 - axis] } else { 0 };
         (0..=degrees[axis])
@@ -107,7 +107,7 @@ impl Part {
 }
 
 /// The pieces of a surface that overlap ranges of both parameters, not cut yet.
-pub(super) fn whole(pieces: &[SurfacePiece], ranges: [[f64; 2]; 2]) -> Vec<Part> {
+pub(in crate::mesh) fn whole(pieces: &[SurfacePiece], ranges: [[f64; 2]; 2]) -> Vec<Part> {
     let is_outside = |piece: &SurfacePiece| {
         [0, 1].into_iter().any(|axis| {
             let ([lo, hi], [from, to]) = (piece.domain[axis], ranges[axis]);
@@ -124,7 +124,7 @@ pub(super) fn whole(pieces: &[SurfacePiece], ranges: [[f64; 2]; 2]) -> Vec<Part>
 }
 
 /// The parts below and above a parameter.
-pub(super) fn cut(pieces: &[SurfacePiece], parts: Vec<Part>, axis: usize, t: f64) -> [Vec<Part>; 2] {
+pub(in crate::mesh) fn cut(pieces: &[SurfacePiece], parts: Vec<Part>, axis: usize, t: f64) -> [Vec<Part>; 2] {
     let (mut before, mut after) = (Vec::new(), Vec::new());
     for part in parts {
         let [lo, hi] = part.span[axis];
@@ -153,16 +153,16 @@ pub(super) fn cut(pieces: &[SurfacePiece], parts: Vec<Part>, axis: usize, t: f64
 
 /// How far a flat piece may be from the surface.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Flatness {
+pub(in crate::mesh) struct Flatness {
     /// How much the curves along each parameter bend, which says where to cut.
-    pub(super) bends: [f64; 2],
+    pub(in crate::mesh) bends: [f64; 2],
     /// A bound of the distance of the two triangles from the surface, both ways.
-    pub(super) distance: f64,
+    pub(in crate::mesh) distance: f64,
 }
 
 /// What nine points say, those in the middle of the sides and of the rectangle among them: how much the surface bends,
 /// and how far it is at least from the triangles. `at` takes halves of the rectangle, from 0 to 2.
-pub(super) fn sampled(corners: [P3; 4], at: impl Fn([u32; 2]) -> P3) -> Flatness {
+pub(in crate::mesh) fn sampled(corners: [P3; 4], at: impl Fn([u32; 2]) -> P3) -> Flatness {
     let [a, b, c, d] = corners;
     let [low, high, left, right] = [[1, 0], [1, 2], [0, 1], [2, 1]].map(&at);
     let middle = at([1, 1]);
@@ -180,7 +180,7 @@ pub(super) fn sampled(corners: [P3; 4], at: impl Fn([u32; 2]) -> P3) -> Flatness
 
 /// The bound for the triangles with these corners, `[a, b, c, d]` counter-clockwise from the lower ends of both
 /// parameters. Sides whose ends are nearer than `weld` count as points, if the curves along them are.
-pub(super) fn measure(parts: &[Part], corners: [P3; 4], tolerance: f64, weld: f64) -> Flatness {
+pub(in crate::mesh) fn measure(parts: &[Part], corners: [P3; 4], tolerance: f64, weld: f64) -> Flatness {
     let skewness = skewness(corners);
     let target = Target::new(parts, corners, weld);
     let mut found = Farthest::default();
@@ -222,7 +222,7 @@ fn bend(part: &Part, bends: &mut [f64; 2]) {
 }
 
 /// The halves of a part in both directions, where it bends.
-pub(super) fn quarters(part: &Part) -> Vec<Part> {
+pub(in crate::mesh) fn quarters(part: &Part) -> Vec<Part> {
     let [bends_along_u, bends_along_v] = part.net.degrees().map(|degree| degree > 1);
     let all = if bends_along_u { Vec::from(part.halves(0)) } else { alloc::vec![part.clone()] };
     if bends_along_v { all.iter().flat_map(|part| part.halves(1)).collect() } else { all }
@@ -360,7 +360,7 @@ fn gap(a: P3, p: P3, x: f64, b: P3, q: P3, y: f64) -> f64 {
 
 /// How far the corners of neighbours move the triangles: the largest distance of a corner on a side from its place
 /// there, where corners keep their order; `[from, corners…, to]`.
-pub(super) fn displacement(side: &[P3]) -> f64 {
+pub(in crate::mesh) fn displacement(side: &[P3]) -> f64 {
     let [from, between @ .., to] = side else { return 0.0 };
     let chord = minus(*to, *from);
     let square = dot(chord, chord);
@@ -376,28 +376,28 @@ pub(super) fn displacement(side: &[P3]) -> f64 {
 }
 
 /// The larger one; NaN, once met, is infinite.
-pub(super) fn larger(a: f64, b: f64) -> f64 {
+pub(in crate::mesh) fn larger(a: f64, b: f64) -> f64 {
     if b.is_nan() || a.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
-pub(super) fn minus(a: P3, b: P3) -> P3 {
+pub(in crate::mesh) fn minus(a: P3, b: P3) -> P3 {
     [0, 1, 2].map(|k| a[k] - b[k])
 }
 
-pub(super) fn dot(a: P3, b: P3) -> f64 {
+pub(in crate::mesh) fn dot(a: P3, b: P3) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(super) fn distance(a: P3, b: P3) -> f64 {
+pub(in crate::mesh) fn distance(a: P3, b: P3) -> f64 {
     crate::vector::distance(a, b)
 }
 
-pub(super) fn distance_to_segment(p: P3, from: P3, to: P3) -> f64 {
+pub(in crate::mesh) fn distance_to_segment(p: P3, from: P3, to: P3) -> f64 {
     distance(p, foot(p, from, to))
 }
 
 /// The point of a segment that is nearest to a point.
-pub(super) fn foot(p: P3, from: P3, to: P3) -> P3 {
+pub(in crate::mesh) fn foot(p: P3, from: P3, to: P3) -> P3 {
     let chord = minus(to, from);
     let x = dot(minus(p, from), chord) / dot(chord, chord);
     // Also where the chord has no length.
@@ -411,7 +411,7 @@ pub(super) fn foot(p: P3, from: P3, to: P3) -> P3 {
 }
 
 /// The distance from the triangles `abc` and `acd`.
-pub(super) fn distance_to_triangles(p: P3, corners: [P3; 4]) -> f64 {
+pub(in crate::mesh) fn distance_to_triangles(p: P3, corners: [P3; 4]) -> f64 {
     Triangles::new(corners).distance(p)
 }
 

@@ -8,19 +8,19 @@ use alloc::vec::Vec;
 
 /// The width of the parameter square: parameters are whole numbers, so that equal ones are recognised. Single precision
 /// holds it, and 3, 5, 7 and 9 equal spans begin at whole numbers.
-pub(super) const WIDTH: u32 = (1 << 14) * 9 * 5 * 7;
+pub(in crate::mesh) const WIDTH: u32 = (1 << 14) * 9 * 5 * 7;
 
 /// The places of one parameter, in increasing order.
 #[derive(Debug, Default)]
-pub(super) struct Lines {
-    pub(super) knots: Vec<u32>,
-    pub(super) parts: Vec<u32>,
+pub(in crate::mesh) struct Lines {
+    pub(in crate::mesh) knots: Vec<u32>,
+    pub(in crate::mesh) parts: Vec<u32>,
 }
 
 impl Lines {
     /// The place at which a range is cut: of the knots within the one nearest to its middle, or else of the lines the
     /// one with as many before as after it, or else the middle.
-    pub(super) fn between(&self, from: u32, to: u32) -> u32 {
+    pub(in crate::mesh) fn between(&self, from: u32, to: u32) -> u32 {
         let middle = from + (to - from) / 2;
         let inside = |places: &[u32]| {
             let start = places.partition_point(|&place| place <= from);
@@ -36,7 +36,7 @@ impl Lines {
     }
 
     /// Whether a range has a place of its own at which it is cut.
-    pub(super) fn cross(&self, from: u32, to: u32) -> bool {
+    pub(in crate::mesh) fn cross(&self, from: u32, to: u32) -> bool {
         [&self.knots, &self.parts].into_iter().any(|places| {
             let next = places.partition_point(|&place| place <= from);
             places.get(next).is_some_and(|&place| place < to)

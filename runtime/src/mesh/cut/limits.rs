@@ -2,24 +2,24 @@
 
 /// What the triangles of a surface have to keep.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
+pub(in crate::mesh) struct Limits {
     /// The largest distance from the surface.
-    pub(super) tolerance: f64,
+    pub(in crate::mesh) tolerance: f64,
     /// How far points on edges may move when they become one.
-    pub(super) reach: f64,
+    pub(in crate::mesh) reach: f64,
     /// Points that near to each other are one.
-    pub(super) weld: f64,
+    pub(in crate::mesh) weld: f64,
     /// The longest side of a rectangle.
-    pub(super) edge: f64,
+    pub(in crate::mesh) edge: f64,
     /// The largest angle in radians between normals at the corners of a rectangle.
-    pub(super) angle: f64,
+    pub(in crate::mesh) angle: f64,
     /// The largest quotient of the lengths of two sides of a rectangle that meet.
-    pub(super) aspect: f64,
+    pub(in crate::mesh) aspect: f64,
 }
 
 impl Limits {
     /// The same in another unit of length.
-    pub(super) fn measured_in(self, unit: f64) -> Self {
+    pub(in crate::mesh) fn measured_in(self, unit: f64) -> Self {
         let Self { tolerance, reach, weld, edge, angle, aspect } = self;
         let [tolerance, reach, weld, edge] = [tolerance, reach, weld, edge].map(|length| length / unit);
         Self { tolerance, reach, weld, edge, angle, aspect }

@@ -7,7 +7,7 @@ use super::facets::Node;
 /// A table from corners to values, such as numbers, each at the first free place after the one that it is given: there
 /// are no others between neighbours of a grid, and no corner is taken out.
 #[derive(Debug, Default)]
-pub(super) struct Index<T> {
+pub(in crate::mesh) struct Index<T> {
     /// A power of two of places, at least twice as many as corners.
     places: Vec<Option<(Node, T)>>,
     count: usize,
@@ -15,12 +15,12 @@ pub(super) struct Index<T> {
 
 impl<T: Copy> Index<T> {
     /// The value of a corner.
-    pub(super) fn get(&self, node: Node) -> Option<T> {
+    pub(in crate::mesh) fn get(&self, node: Node) -> Option<T> {
         if self.places.is_empty() { None } else { self.places[self.place(node)].map(|(_, value)| value) }
     }
 
     /// Gives a corner that is not there yet a value.
-    pub(super) fn insert(&mut self, node: Node, value: T) {
+    pub(in crate::mesh) fn insert(&mut self, node: Node, value: T) {
         if 2 * (self.count + 1) > self.places.len() {
             let more = (2 * self.places.len()).max(64);
             let old = core::mem::replace(&mut self.places, alloc::vec![None; more]);

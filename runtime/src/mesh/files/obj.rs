@@ -2,8 +2,8 @@
 
 use std::io::{self, BufWriter, Write};
 
-use super::Mesh;
 use crate::Scalar;
+use crate::mesh::Mesh;
 
 impl<S: Scalar> Mesh<S> {
     /// Writes the mesh as Wavefront OBJ, with normals and texture coordinates; every surface is a group.

@@ -4,15 +4,15 @@ use alloc::collections::{BTreeMap, BTreeSet, BinaryHeap};
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use super::MeshError;
 use super::facets::{Cell, Cut, Node, middle, triangles};
 use super::flat::{self, Flatness, P3, Part};
 use super::graph::{self, Corner};
 use super::index::Index;
 use super::limits::Limits;
 use super::lines::{Lines, WIDTH};
-use super::patch::Patch;
 use super::steps::lines;
+use crate::mesh::MeshError;
+use crate::mesh::patch::Patch;
 use crate::vector::{cross, distance, dot, length, safe_unit};
 use crate::{Edge, Scalar, SurfacePiece};
 
@@ -26,7 +26,7 @@ const MANY: usize = 1 << 15;
 const CUTS: usize = 1 << 11;
 
 /// A parameter as a number between 0 and 1.
-pub(super) fn unit<S: Scalar>(parameter: u32) -> S {
+pub(in crate::mesh) fn unit<S: Scalar>(parameter: u32) -> S {
     S::from_usize(parameter as usize) / S::from_usize(WIDTH as usize)
 }
 
@@ -82,8 +82,8 @@ impl Cell {
 
 /// A rectangle over which the surface is flat enough.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Leaf {
-    pub(super) cell: Cell,
+pub(in crate::mesh) struct Leaf {
+    pub(in crate::mesh) cell: Cell,
     /// The bound of the distance of its triangles from the surface, both ways.
     distance: f64,
     /// The number of corners around it for which its triangles are known to be good enough.
@@ -98,7 +98,7 @@ struct Open {
 }
 
 /// A surface and what its mesh has to keep.
-pub(super) struct Sheet<'a, S> {
+pub(in crate::mesh) struct Sheet<'a, S> {
     patch: &'a dyn Patch<S>,
     pieces: Vec<SurfacePiece>,
     surface: usize,
@@ -109,7 +109,7 @@ pub(super) struct Sheet<'a, S> {
 }
 
 impl<'a, S: Scalar> Sheet<'a, S> {
-    pub(super) fn new(patch: &'a dyn Patch<S>, surface: usize, limits: Limits) -> Self {
+    pub(in crate::mesh) fn new(patch: &'a dyn Patch<S>, surface: usize, limits: Limits) -> Self {
         let mut pieces = patch.bezier();
         let size =
             pieces.iter().map(|piece| piece.net.farthest(&[0.0; 3])).fold(limits.tolerance, flat::larger);
@@ -404,8 +404,8 @@ impl Eq for Estimate {}
 
 /// The rectangles, and the corners on each line.
 #[derive(Debug, Default)]
-pub(super) struct Cells {
-    pub(super) leaves: Vec<Leaf>,
+pub(in crate::mesh) struct Cells {
+    pub(in crate::mesh) leaves: Vec<Leaf>,
     /// For each line `u = const` the `v` of the corners on it.
     on_u: BTreeMap<u32, BTreeSet<u32>>,
     /// For each line `v = const` the `u` of the corners on it.
@@ -420,7 +420,7 @@ pub(super) struct Cells {
 
 impl Cells {
     /// Cuts until every rectangle is flat within the tolerance.
-    pub(super) fn new<S: Scalar>(sheet: &Sheet<'_, S>) -> Result<Self, MeshError> {
+    pub(in crate::mesh) fn new<S: Scalar>(sheet: &Sheet<'_, S>) -> Result<Self, MeshError> {
         let mut cells = Self::default();
         let mut judged = 0;
         cells.cut(sheet, alloc::vec![sheet.whole()], &mut judged)?;
@@ -456,7 +456,7 @@ impl Cells {
 
     /// Cuts rectangles whose triangles are moved too far by the corners of neighbours on their sides; whether there
     /// were any.
-    pub(super) fn refine<S: Scalar>(&mut self, sheet: &Sheet<'_, S>) -> Result<bool, MeshError> {
+    pub(in crate::mesh) fn refine<S: Scalar>(&mut self, sheet: &Sheet<'_, S>) -> Result<bool, MeshError> {
         let leaves = core::mem::take(&mut self.leaves);
         let mut fresh = core::mem::take(&mut self.fresh);
         for nodes in &mut fresh {
@@ -522,7 +522,7 @@ impl Cells {
     }
 
     /// The parameters along an edge of the square, in increasing order.
-    pub(super) fn edge(&mut self, edge: Edge) -> &mut BTreeSet<u32> {
+    pub(in crate::mesh) fn edge(&mut self, edge: Edge) -> &mut BTreeSet<u32> {
         match edge {
             Edge::UStart => self.on_u.entry(0).or_default(),
             Edge::UEnd => self.on_u.entry(WIDTH).or_default(),
@@ -532,7 +532,7 @@ impl Cells {
     }
 
     /// All corners around a rectangle, also those of smaller neighbours on its sides, counter-clockwise.
-    pub(super) fn around(&self, cell: Cell) -> Vec<Node> {
+    pub(in crate::mesh) fn around(&self, cell: Cell) -> Vec<Node> {
         let Cell { from: [u0, v0], to: [u1, v1] } = cell;
         let along_u = |v: u32| self.on_v.get(&v).into_iter().flat_map(move |us| us.range(u0..=u1).copied());
         let along_v = |u: u32| self.on_u.get(&u).into_iter().flat_map(move |vs| vs.range(v0..=v1).copied());
@@ -572,14 +572,14 @@ fn displacement<S: Scalar>(sheet: &Sheet<'_, S>, cell: Cell, nodes: &[Node]) -> 
 }
 
 /// Whether corners that are not next to each other may become one point, so that triangles between them would vanish.
-pub(super) fn is_crowded<S: Scalar>(points: &[[S; 3]], reach: S) -> bool {
+pub(in crate::mesh) fn is_crowded<S: Scalar>(points: &[[S; 3]], reach: S) -> bool {
     let count = points.len();
     let apart = |i: usize, j: usize| j - i >= 2 && (i, j) != (0, count - 1);
     (0..count).any(|i| (i + 1..count).any(|j| apart(i, j) && distance(points[i], points[j]) <= reach))
 }
 
 /// The node at a parameter along an edge.
-pub(super) fn on_edge(edge: Edge, along: u32) -> Node {
+pub(in crate::mesh) fn on_edge(edge: Edge, along: u32) -> Node {
     match edge {
         Edge::UStart => [0, along],
         Edge::UEnd => [WIDTH, along],

@@ -14,8 +14,8 @@ use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::{Checked, USize64};
 use gltf::json::{Accessor, Index, Root};
 
-use super::Mesh;
 use crate::Scalar;
+use crate::mesh::Mesh;
 
 impl<S: Scalar> Mesh<S> {
     /// Writes the mesh as a binary glTF 2.0 file (`.glb`), in single precision, with normals and texture coordinates.

@@ -1,23 +1,23 @@
 //! The triangles over one rectangle of parameters.
 
 /// A point of the parameter square.
-pub(super) type Node = [u32; 2];
+pub(in crate::mesh) type Node = [u32; 2];
 
 /// A rectangle of the parameter square.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cell {
-    pub(super) from: Node,
-    pub(super) to: Node,
+pub(in crate::mesh) struct Cell {
+    pub(in crate::mesh) from: Node,
+    pub(in crate::mesh) to: Node,
 }
 
 /// The node in the middle of a rectangle.
-pub(super) fn middle(cell: Cell) -> Node {
+pub(in crate::mesh) fn middle(cell: Cell) -> Node {
     [0, 1].map(|c| cell.from[c] + (cell.to[c] - cell.from[c]) / 2)
 }
 
 /// How a polygon is cut.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Cut {
+pub(in crate::mesh) enum Cut {
     /// With as few triangles as possible.
     Shortest,
     /// With triangles that meet in the middle.
@@ -28,7 +28,7 @@ pub(super) enum Cut {
 ///
 /// Four corners are cut along the diagonal of the first one if `is_first_shorter`, or else along the other one. With
 /// one corner more, on a side, all triangles meet there; with several, or if asked for, in the middle of the rectangle.
-pub(super) fn triangles(
+pub(in crate::mesh) fn triangles(
     cell: Cell,
     nodes: &[Node],
     cut: Cut,

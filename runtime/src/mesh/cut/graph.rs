@@ -24,11 +24,11 @@ const STEEPEST: f64 = 0.5;
 const TINY: f64 = 1e-12;
 
 /// A corner of the polygon over a rectangle, with its parameters.
-pub(super) struct Corner {
-    pub(super) point: P3,
-    pub(super) at: [f64; 2],
+pub(in crate::mesh) struct Corner {
+    pub(in crate::mesh) point: P3,
+    pub(in crate::mesh) at: [f64; 2],
     /// Whether it is a corner of a neighbour, within a side, and not one of the rectangle.
-    pub(super) is_on_side: bool,
+    pub(in crate::mesh) is_on_side: bool,
 }
 
 /// The plane of a triangle as heights above it.
@@ -59,7 +59,12 @@ struct Graph {
 /// A bound of the distance, both ways, for the parts of the surface, cut at all corners, and the corners in
 /// counter-clockwise order, which lie on the surface; `None` if the triangles are no
 /// graph, or too steep for a bound.
-pub(super) fn bound(parts: &[Part], corners: &[Corner], triangles: &[[P3; 3]], weld: f64) -> Option<f64> {
+pub(in crate::mesh) fn bound(
+    parts: &[Part],
+    corners: &[Corner],
+    triangles: &[[P3; 3]],
+    weld: f64,
+) -> Option<f64> {
     let graph = Graph::new(corners, triangles)?;
     let (mut farthest, mut outside, mut aside) = (0.0_f64, 0.0_f64, 0.0_f64);
     let parts: Vec<Part> = parts.iter().flat_map(quarters).collect();
@@ -220,7 +225,7 @@ fn hull(corners: &[Corner], axes: &[P3; 2]) -> Option<(Vec<[f64; 2]>, f64)> {
 mod tests {
     use super::*;
     use crate::SurfacePiece;
-    use crate::mesh::flat;
+    use crate::mesh::cut::flat;
 
     /// A square of which one side is a parabola with its tip above and outside of the middle, and three triangles that
     /// meet at the tip: their bound, and the largest distance of samples of the surface.

@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use super::{Mesh, area_vector};
 use crate::Scalar;
+use crate::mesh::{Mesh, area_vector};
 use crate::vector::direction;
 
 impl<S: Scalar> Mesh<S> {

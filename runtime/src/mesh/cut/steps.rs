@@ -133,7 +133,7 @@ fn parts(wanted: f64, narrow: f64, lost: [f64; 2]) -> f64 {
 
 /// The places of both parameters for a surface with these knots and a tolerance, of which rectangles at edges have less
 /// by `reach`; `at` is the surface on the unit square.
-pub(super) fn lines(
+pub(in crate::mesh) fn lines(
     knots: [Vec<u32>; 2],
     tolerance: f64,
     reach: f64,
