@@ -116,6 +116,22 @@ pub struct RationalForm {
 const MAX_TERMS: usize = 300;
 
 impl RationalForm {
+    /// Whether the functions of a family are evaluated as quotients, or span by span.
+    pub(crate) fn is_of(family: &Family) -> bool {
+        family.is_rational()
+            || !family.analytic.is_empty()
+            || !family.pieces.is_empty()
+            || family.interval().is_some() && family.leaves_an_end_out()
+    }
+
+    /// The quotients of a family that is evaluated by them, one for each span.
+    pub(crate) fn of_family(family: &Family) -> Option<Vec<Self>> {
+        if !Self::is_of(family) {
+            return None;
+        }
+        if family.pieces.is_empty() { Some(vec![Self::new(family, 0)?]) } else { Self::of_spans(family) }
+    }
+
     /// The forms of a family on several spans, of one degree.
     pub fn of_spans(family: &Family) -> Option<Vec<Self>> {
         let mut least = 0;
