@@ -6,7 +6,7 @@
 //! between 1/4 and 1/2, where 1 − t rounds; and uphill from the worst of them.
 
 use basis_engine::plan::Input;
-use basis_engine::plan::patch_form::multi_indices;
+use basis_engine::plan::patch::form::multi_indices;
 use basis_engine::rounding::Error;
 use basis_engine::state::{point_error, point_name, value_errors};
 use basis_engine::steps::{FamilySteps, Step, Steps};

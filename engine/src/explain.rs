@@ -29,8 +29,8 @@ use crate::algebra::work::Work;
 use crate::claim::{self, Claim, ClaimKind, Expected};
 use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Function, Parameter};
-use crate::plan::form::IntervalForm;
-use crate::plan::patch_form::{PatchForm, factored_text};
+use crate::plan::interval::form::IntervalForm;
+use crate::plan::patch::form::{PatchForm, factored_text};
 use crate::state::Verdict;
 use crate::{rounding, state};
 
@@ -533,6 +533,11 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
     let below = bracket(denom);
     let below = if below.contains('*') && !below.starts_with('(') { format!("({below})") } else { below };
     if denom.is_one() { bracket(numer) } else { format!("{}/{below}", bracket(numer)) }
+}
+
+/// What the bounds of [`rounding`] assume of elementary functions; `None` where they need none.
+pub fn rounding_assumes(family: &Family) -> Option<&'static str> {
+    rounding::needs_functions(family).then_some(rounding::ASSUMED)
 }
 
 /// Proved bounds of the rounding errors of the values, and of a point of a curve or patch, each with what it is about;

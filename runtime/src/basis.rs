@@ -53,7 +53,9 @@ mod sealed {
 /// float, [`f32::EPSILON`] or [`f64::EPSILON`].
 ///
 /// A bound holds for all parameters in the domain and all shape values in their ranges, with fused operations or
-/// without, as long as nothing overflows or underflows. `basis!` proves it while a crate is compiled.
+/// without, as long as nothing overflows or underflows. `basis!` proves it while a crate is compiled. Of families with
+/// angles or exponentials it assumes that the sines, cosines and exponentials of [`Scalar`] are within one unit in the last
+/// place, as those of the standard library are on common machines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rounding {
     /// At most this many ε times the value: a value that is 0 is computed as 0.

@@ -51,6 +51,8 @@ pub(super) struct FamilyFacts {
     pub(super) dependent_open: Option<String>,
     /// Proved bounds of the rounding errors of evaluation.
     pub(super) rounding: Vec<Rounding>,
+    /// What they assume of sines, exponentials and the like; nothing without these.
+    pub(super) rounding_assumes: Option<&'static str>,
     /// The control points that contacts determine.
     pub(super) contacts: Vec<Contact>,
     /// Matrices: to and from the Bernstein basis and another family, degree elevation, mass, stiffness, moments.
@@ -221,6 +223,7 @@ impl FamilyFacts {
         conversions: &[explain::Matrix],
     ) -> Self {
         let set = explain::exceptional_set(family);
+        let rounding = explain::rounding(family);
         let function = |facts: FunctionFacts| {
             let FunctionFacts { label, factored, expanded, bernstein, .. } = facts;
             let latex = latex::math(&factored).unwrap_or_default();
@@ -243,10 +246,8 @@ impl FamilyFacts {
             ends: explain::end_derivatives(span, ORDER).into_iter().map(equation).collect(),
             dependent: set.exceptions.iter().map(|e| explain::describe_exception(family, e)).collect(),
             dependent_open: set.open,
-            rounding: explain::rounding(family)
-                .into_iter()
-                .map(|(of, bound)| Rounding { of, bound })
-                .collect(),
+            rounding_assumes: explain::rounding_assumes(family).filter(|_| !rounding.is_empty()),
+            rounding: rounding.into_iter().map(|(of, bound)| Rounding { of, bound }).collect(),
             contacts: explain::contacts(span).into_iter().map(contact).collect(),
             matrices: conversions.iter().chain(&explain::matrices(library, span, next)).map(matrix).collect(),
             extrema: explain::extrema(span).into_iter().map(extrema).collect(),

@@ -215,6 +215,9 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
         "Rounding errors of evaluation, at most",
         facts.rounding.iter().map(|r| (&r.of, &r.bound)),
     );
+    if let Some(assumed) = facts.rounding_assumes {
+        text += &format!("    {assumed}\n");
+    }
     for contact in &facts.contacts {
         section(&mut text, &contact.title, pairs(&contact.points));
         if !contact.conditions.is_empty() {

@@ -381,6 +381,9 @@ impl Family<'_> {
         text += &format!("{epsilon}: of |value| where ROUNDING_RELATIVE is 1, else absolute.\n");
         text += "// They hold for fused operations too, as long as nothing overflows; a product that underflows adds\n";
         text += "// half the smallest number.\n";
+        if code.assumes_functions() {
+            text += "// They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two.\n";
+        }
         let bounds = code.rounding.iter().map(|error| bound_text(error.as_ref()));
         let bounds: Vec<(bool, String)> =
             bounds.map(|b| b.unwrap_or((false, String::from("INFINITY")))).collect();

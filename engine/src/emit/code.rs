@@ -8,8 +8,9 @@ use crate::generate::{self, rational::split};
 use crate::model::chart::Constraint;
 use crate::model::{Factor, Family, Parameter, label};
 use crate::plan::Input;
+use crate::plan::interval::form::RationalForm;
 use crate::plan::reach::{Reach, decimal};
-use crate::rounding::Error;
+use crate::rounding::{Error, needs_functions};
 use crate::steps::{Builder, FamilySteps, JoinSteps, Step, Steps};
 use crate::theorem::{Origin, Theorem};
 use basis_kernel::Relation;
@@ -127,7 +128,9 @@ impl<'a> FamilyCode<'a> {
         wanted: &Wanted,
         language: &dyn Language,
     ) -> Result<Self, Diagnostic> {
-        let proved = generate::bounds_of_told(told, family);
+        let is_bounded = language.has_accurate_functions() || !needs_functions(family);
+        let proved =
+            if is_bounded { generate::bounds_of_told(told, family) } else { generate::Bounds::default() };
         let (Some(steps), Some(documentation)) = (
             FamilySteps::new(family),
             generate::documentation(told, family, &proved, &wanted.checked.claims, DECIDED),
@@ -148,7 +151,7 @@ impl<'a> FamilyCode<'a> {
         };
         single(evaluators.iter(), language, &family.place, &message)?;
         let name = named(wanted.name.as_ref().unwrap_or(&family.name), language)?;
-        let reaches = generate::reaches(family, generate::rational_forms(family).as_deref());
+        let reaches = generate::reaches(family, RationalForm::of_family(family).as_deref());
         if let Some(error) = generate::out_of_reach(family, &reaches, usize::from(language.is_single())) {
             return Err(error);
         }
@@ -299,9 +302,14 @@ impl<'a> FamilyCode<'a> {
         })
     }
 
+    /// Whether bounds of rounding errors are proved that assume something of elementary functions.
+    pub fn assumes_functions(&self) -> bool {
+        needs_functions(self.family) && self.rounding.iter().any(Option::is_some)
+    }
+
     /// Whether the distance to an end of the domain is computed from a number in parts, as no float has it exactly.
     pub fn has_ends_in_parts(&self) -> bool {
-        let in_parts = |end: &Rational| !split(end, 20).1.is_zero();
+        let in_parts = |end: &Rational| !split(end, 24).1.is_zero();
         let numbers = self.ends().into_iter().flat_map(|(low, high)| [low, high]);
         !self.family.analytic.is_empty()
             || self.steps.is_quotient() && numbers.into_iter().any(|end| in_parts(&end))

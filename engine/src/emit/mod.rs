@@ -96,6 +96,12 @@ pub trait Language {
     /// Whether it computes with `f32` only, so that every constant has to be one.
     fn is_single(&self) -> bool;
 
+    /// Whether its sines, exponentials and the like are as accurate as [bounds of rounding errors](crate::rounding::ASSUMED)
+    /// assume.
+    fn has_accurate_functions(&self) -> bool {
+        true
+    }
+
     /// Whether a name cannot be that of a variable, a function or a type: keywords, and names that the file needs for
     /// something else.
     fn is_reserved(&self, name: &str) -> bool;

@@ -355,6 +355,9 @@ impl Class<'_> {
         text += "# Rounding errors of the values, proved, in units of 2**-52, or 2**-23 for float32: of |value| where relative. They\n";
         text +=
             "# hold as long as nothing overflows; a product that underflows adds half the smallest number.\n";
+        if code.assumes_functions() {
+            text += "# They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two.\n";
+        }
         let bounds = code.rounding.iter().map(|error| match bound_text(error.as_ref()) {
             Some((true, bound)) => format!("(\"relative\", {bound})"),
             Some((false, bound)) => format!("(\"absolute\", {bound})"),

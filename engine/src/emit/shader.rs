@@ -10,6 +10,7 @@ use super::write::{
 use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape, Value, decimal_f32, is_input};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
+use crate::rounding::needs_functions;
 use crate::steps::{EndSteps, FamilySteps, Function, Step, Steps};
 
 /// A language of shaders.
@@ -279,6 +280,10 @@ impl Language for Shader {
         if *self == Self::Wgsl { text + "f" } else { text }
     }
 
+    fn has_accurate_functions(&self) -> bool {
+        false
+    }
+
     fn call(&self, function: Function, argument: &str) -> String {
         format!("{}({argument})", helper(function).0)
     }
@@ -542,6 +547,9 @@ impl Functions<'_> {
         if !bounds.is_empty() {
             text += "// Rounding errors of the values in units of 2^-23, proved: of |value| where ROUNDING_RELATIVE is true, else\n";
             text += "// absolute; -1 where none is known.\n";
+            if needs_functions(code.family) {
+                text += "// None is known here: sines and exponentials of shaders may be wrong by many units in the last place.\n";
+            }
             if Shader::divides(&code.steps.values()) {
                 text += "// The functions divide: the bounds assume quotients that are rounded correctly.\n";
             }

@@ -345,9 +345,15 @@ impl Class<'_> {
             let knots: Vec<String> = knots.iter().map(|knot| knot_text(code, knot, &self.language)).collect();
             text += &format!("static readonly knots: readonly number[] = [{}];\n", knots.join(", "));
         }
-        text += &documented(&[String::from(
+        let mut about = vec![String::from(
             "Rounding errors of the values, proved. They hold as long as nothing overflows; a product that underflows adds half the smallest number.",
-        )]);
+        )];
+        if code.assumes_functions() {
+            about.push(String::from(
+                "They assume that Math.sin, cos, tan and expm1 are within one unit in the last place, Math.tanh within two.",
+            ));
+        }
+        text += &documented(&about);
         let one = |error: Option<&Error>| match error {
             Some(Error::Relative(bound)) => {
                 format!("{{ kind: 'relative', epsilons: {} }}", hundredths(bound))

@@ -12,7 +12,7 @@ use crate::algebra::work::Work;
 use crate::model::angle::{Angle, Kind};
 use crate::model::scope::Scope;
 use crate::model::{Factor, Family, Function, Library};
-use crate::plan::patch_form::{Group, PatchForm, exponents};
+use crate::plan::patch::form::{Group, PatchForm, exponents};
 
 /// The work for the matrices of a family.
 const WORK: u64 = 5_000_000;
@@ -150,7 +150,7 @@ struct Table {
 fn table(family: &Family, functions: &[Function]) -> Option<Table> {
     let form = PatchForm::of_functions(family, functions)?;
     let columns = bernstein_names(&form.groups, &form.degrees);
-    let row = |f: &crate::plan::patch_form::PatchFunction| {
+    let row = |f: &crate::plan::patch::form::PatchFunction| {
         let entry = |c: &Poly| Fraction::new(c.clone(), f.denom.clone()).unwrap_or_else(Fraction::zero);
         f.bernstein.mapped(entry)
     };

@@ -3,8 +3,8 @@
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
-use crate::plan::form::{FunctionForm, IntervalForm};
-use crate::plan::patch_form::{PatchForm, PatchFunction};
+use crate::plan::interval::form::{FunctionForm, IntervalForm};
+use crate::plan::patch::form::{PatchForm, PatchFunction};
 use basis_prover::collections::list::Listed;
 
 /// A function on an interval as a product: number · polynomial · powers of the distances to both ends.

@@ -12,7 +12,7 @@ use super::rust::Body;
 use super::{nonnegative, rounding};
 use crate::claim::Claim;
 use crate::model::Family;
-use crate::plan::form::IntervalForm;
+use crate::plan::interval::form::IntervalForm;
 use crate::plan::{Input, Plan, interval};
 use crate::state::Verdict;
 use basis_prover::collections::list::Listed;

@@ -34,8 +34,8 @@ use quote::quote_spanned;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
-use crate::model::tangents::in_tangents;
-use crate::plan::form::{IntervalForm, RationalForm};
+use crate::model::angle::tangents::in_tangents;
+use crate::plan::interval::form::{IntervalForm, RationalForm};
 use crate::plan::reach::{self, Reach};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
@@ -85,14 +85,6 @@ pub(crate) fn is_evaluated(family: &Family) -> bool {
     no_type(family).is_none() && !series::is_mixed(family)
 }
 
-/// Whether the functions are evaluated as quotients, or span by span.
-fn is_rational(family: &Family) -> bool {
-    family.is_rational()
-        || !family.analytic.is_empty()
-        || !family.pieces.is_empty()
-        || family.interval().is_some() && family.leaves_an_end_out()
-}
-
 /// What there is in place of code.
 const NO_CODE: &str =
     "its claims are proved, and `basis explain` and `basis eval` know it; for code, leave such functions out";
@@ -102,7 +94,7 @@ fn no_type(family: &Family) -> Option<Diagnostic> {
     if series::is_mixed(family) {
         return None;
     }
-    let message = if is_rational(family) && family.interval().is_none() {
+    let message = if RationalForm::is_of(family) && family.interval().is_none() {
         "no code is generated yet for families with denominators, angles or exponentials in several domain variables"
     } else if family.leaves_an_end_out() && family.interval().is_none() {
         "no code is generated for families on a domain of several variables without its ends yet"
@@ -208,7 +200,7 @@ pub(crate) fn documentation(
     verdicts: &[(Claim, Verdict)],
     decided: &str,
 ) -> Option<Vec<String>> {
-    let forms = rational_forms(family);
+    let forms = RationalForm::of_family(family);
     let reaches = reaches(family, forms.as_deref());
     let (formulas, signs) = match (forms, IntervalForm::new(family)) {
         (Some(forms), _) => {
@@ -232,18 +224,6 @@ pub(crate) fn reaches(family: &Family, forms: Option<&[RationalForm]>) -> Vec<Op
     forms.map_or_else(|| vec![None; family.shapes.len()], |forms| reach::reaches(family, forms))
 }
 
-/// The quotients of a family that is evaluated by them, one for each span.
-pub(crate) fn rational_forms(family: &Family) -> Option<Vec<RationalForm>> {
-    if !is_rational(family) {
-        return None;
-    }
-    if family.pieces.is_empty() {
-        Some(vec![RationalForm::new(family, 0)?])
-    } else {
-        RationalForm::of_spans(family)
-    }
-}
-
 /// The type of a family, with its documentation and evaluators.
 ///
 /// # Errors
@@ -259,7 +239,7 @@ pub(crate) fn definition(
     let told = family;
     let evaluated = evaluated(family, verdicts).map_err(|error| vec![error])?;
     let family = &*evaluated;
-    let forms = rational_forms(family);
+    let forms = RationalForm::of_family(family);
     let reaches = reaches(family, forms.as_deref());
     // A type is for both kinds of floats: at least the wide ones have to reach a value.
     if let Some(error) = code::reach::out_of_reach(family, &reaches, 0) {
@@ -300,7 +280,7 @@ pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
     let mut left = TERMS;
     for item in items {
         let Subject::Family(family) = &item.subject else { continue };
-        if family.name == last || is_rational(family) || !floats::of_family(family) {
+        if family.name == last || RationalForm::is_of(family) || !floats::of_family(family) {
             continue;
         }
         let mut error = floats::direct(family);

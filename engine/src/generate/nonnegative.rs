@@ -5,9 +5,9 @@ use std::rc::Rc;
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
 use crate::plan::denominator::Sign;
-use crate::plan::form::{IntervalForm, RationalForm};
+use crate::plan::interval::form::{IntervalForm, RationalForm};
+use crate::plan::interval::{self, rational};
 use crate::plan::patch::PatchPlans;
-use crate::plan::{interval, rational};
 use crate::state::Verdict;
 use basis_prover::collections::list::{Listed, Mapped};
 

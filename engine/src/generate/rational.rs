@@ -16,8 +16,9 @@ use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::model::angle::{Analytic, Angle, Kind};
 use crate::model::{Family, Parameter};
-use crate::plan::form::RationalForm;
-use crate::plan::{Input, Plan, rational};
+use crate::plan::interval::form::RationalForm;
+use crate::plan::interval::rational;
+use crate::plan::{Input, Plan};
 use crate::state::Verdict;
 use basis_prover::collections::list::{Listed, Mapped};
 

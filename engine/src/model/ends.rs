@@ -26,7 +26,7 @@ impl Family {
             return Some(all);
         };
         let end = if upper { high } else { low };
-        super::angle_ends::derivatives(self, angle, f, (end, upper), order, work)
+        super::angle::ends::derivatives(self, angle, f, (end, upper), order, work)
     }
 }
 
@@ -42,5 +42,5 @@ pub(crate) fn reversed(piece: &Family, mirrored: &Family, work: &mut Work) -> Op
     let (Some(own), Some(angle)) = (piece.analytic.angle(var), mirrored.analytic.angle(other)) else {
         return Some(vec![(other, &start + &(&span * &(&one - &u)))]);
     };
-    super::angle_ends::reversed((own, angle), [low, high], [other_low, other_high], &u, work)
+    super::angle::ends::reversed((own, angle), [low, high], [other_low, other_high], &u, work)
 }

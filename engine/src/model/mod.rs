@@ -6,16 +6,9 @@
 //! family and its claims. [`Family`] is what comes out.
 
 pub mod angle;
-#[cfg(feature = "angles")]
-mod angle_ends;
-#[cfg(not(feature = "angles"))]
-#[path = "no_angle_ends.rs"]
-mod angle_ends;
 pub(crate) mod bernstein;
 pub(crate) mod budget;
 pub mod chart;
-#[cfg(feature = "angles")]
-pub(crate) mod enclosure;
 pub(crate) mod ends;
 mod expand;
 mod family;
@@ -24,11 +17,6 @@ mod library;
 pub mod obligation;
 pub mod roots;
 pub(crate) mod scope;
-#[cfg(feature = "angles")]
-pub(crate) mod tangents;
-#[cfg(not(feature = "angles"))]
-#[path = "no_tangents.rs"]
-pub(crate) mod tangents;
 pub(crate) mod tuples;
 mod unused;
 pub(crate) mod words;

@@ -8,7 +8,7 @@
 //! | file | plans of |
 //! | --- | --- |
 //! | `interval` | values, tables and bound curves of families on an interval |
-//! | `rational` | values and tables of families on an interval with denominators in the domain variable |
+//! | `interval/rational` | values and tables of families on an interval with denominators in the domain variable |
 //! | `patch` | values and tables of families on simplices and boxes |
 //! | `ends` | control points next to an end of a curve, from its derivatives there |
 //! | `join` | the control points that a join of a spec determines |
@@ -17,21 +17,18 @@
 //! | `sign` | which values rounding could make negative |
 //! | `reach` | the shape values beyond which exponentials overflow |
 //!
-//! The exact formulas that are planned are in [`form`] for families on an interval and in [`patch_form`] for those on
+//! The exact formulas that are planned are in [`interval::form`] for families on an interval and in [`patch::form`] for those on
 //! simplices and boxes.
 
 mod build;
 mod corners;
 pub mod denominator;
 pub mod ends;
-pub mod form;
 pub mod interval;
 #[cfg(feature = "joins")]
 pub mod join;
 pub mod patch;
-pub mod patch_form;
 mod powers;
-pub mod rational;
 pub mod reach;
 mod scalars;
 mod sign;

@@ -37,7 +37,7 @@ use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Kind};
 use crate::model::{Family, Parameter};
 use crate::plan::corners::{Corners, by_distances, tangent_ends};
-use crate::plan::form::RationalForm;
+use crate::plan::interval::form::RationalForm;
 use crate::plan::sign::has_one_sign;
 use basis_prover::collections::list::Listed;
 

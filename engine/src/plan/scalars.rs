@@ -2,7 +2,7 @@
 
 use super::build::{Builder, Variable};
 use super::corners::{Corners, by_distances};
-use super::form::MAX_CONTENT;
+use super::interval::form::MAX_CONTENT;
 use super::{Input, Let, Node, Ref};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};

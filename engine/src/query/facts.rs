@@ -15,7 +15,7 @@ use crate::algebra::work::Work;
 use crate::diagnostic::Place;
 use crate::explain::{exceptional_set, formulas, written};
 use crate::model::{Family, Function, Library, Selected};
-use crate::plan::form::IntervalForm;
+use crate::plan::interval::form::IntervalForm;
 use crate::source::{Files, Source};
 use crate::state::{Prover, Run, Verdict};
 use crate::subject::{Item, Subject};

@@ -26,7 +26,7 @@ pub(super) struct Exact<'a> {
     steps: &'a [Step],
     variables: Vec<Option<Var>>,
     values: Vec<Option<Fraction>>,
-    /// Of quotients by a sum: how many u the quotient is off.
+    /// Of quotients by a sum, and of inputs that are not exact: how many u they are off.
     weights: Vec<Option<Rational>>,
 }
 
@@ -35,8 +35,16 @@ impl<'a> Exact<'a> {
     pub(super) fn new(steps: &'a Steps, inputs: &Inputs) -> Option<Self> {
         let steps = &steps.steps[..];
         let mut variables = Vec::new();
-        let mut values = Vec::new();
+        let (mut values, mut weights) = (Vec::new(), Vec::new());
         for step in steps {
+            let off = inputs.off.iter().find(|(input, ..)| *step == Step::Input(*input));
+            if let Some((_, value, weight)) = off {
+                values.push(Some(Fraction::from(value.clone())));
+                weights.push((!weight.is_zero()).then(|| weight.clone()));
+                variables.push(None);
+                continue;
+            }
+            weights.push(None);
             let one = matches!(step, Step::Input(Input::Bound(_))) && inputs.ones;
             values.push(one.then(|| Fraction::constant(Rational::ONE)));
             variables.push(match step {
@@ -44,7 +52,6 @@ impl<'a> Exact<'a> {
                 _ => None,
             });
         }
-        let weights = vec![None; steps.len()];
         Some(Self { steps, variables, values, weights })
     }
 
@@ -86,7 +93,7 @@ impl<'a> Exact<'a> {
     /// Whether a step gives its exact value: inputs, floats, and what only changes their sign or exponent.
     pub(super) fn is_exact(&self, k: usize) -> bool {
         match self.step(k) {
-            Step::Input(_) => true,
+            Step::Input(_) => self.weights[k].is_none(),
             Step::Constant(c) => is_float(c),
             Step::Neg(a) | Step::CutOff(a) => self.is_exact(*a),
             Step::Mul(a, b) => {
@@ -101,7 +108,7 @@ impl<'a> Exact<'a> {
     pub(super) fn is_leaf(&self, k: usize) -> bool {
         match self.step(k) {
             Step::Add(a, b) | Step::Sub(a, b) => self.is_exact(*a) && self.is_exact(*b),
-            Step::Constant(_) => true,
+            Step::Constant(_) | Step::Input(_) => true,
             _ => self.is_exact(k),
         }
     }
@@ -258,7 +265,8 @@ impl<'a> Exact<'a> {
             };
             depths[k] = match self.step(k) {
                 _ if self.is_exact(k) => Rational::ZERO,
-                Step::Input(_) | Step::Constant(_) | Step::Call(..) | Step::Unless(..) => Rational::ONE,
+                Step::Input(_) => self.weight(k),
+                Step::Constant(_) | Step::Call(..) | Step::Unless(..) => Rational::ONE,
                 Step::Neg(a) | Step::CutOff(a) => depths[*a].clone(),
                 Step::Add(a, b) | Step::Sub(a, b) => &larger(*a, *b) + &Rational::ONE,
                 Step::Mul(a, b) => &(&depths[*a] + &depths[*b]) + &Rational::ONE,
@@ -274,7 +282,7 @@ impl<'a> Exact<'a> {
 }
 
 /// ±2ⁿ
-fn is_power_of_two(c: &Rational) -> bool {
+pub(super) fn is_power_of_two(c: &Rational) -> bool {
     let odd = |x: &Rational| odd_part(x).is_some_and(|odd| odd.is_one());
     !c.is_zero() && odd(&c.numer().abs()) && odd(&c.denom())
 }

@@ -19,10 +19,14 @@
 //! A fused multiplication and addition rounds less, so that the bounds hold for fused code, too. They hold as long as
 //! nothing overflows; each product that underflows adds half the smallest float.
 //!
+//! Sines, exponentials and the like are assumed to be within one unit in the last place; what comes out of them are inputs
+//! that are off; file `angles`. Where a float is that of an end such as π/2, the value is the one at the end.
+//!
 //! Shape values and the coordinates of a point are exact as they are given. All three or four barycentric coordinates
 //! are inputs: the exact value is that of the formula for these floats, also if they do not quite sum to 1.
 
 mod absolute;
+mod angles;
 mod cell;
 mod conditions;
 mod exact;
@@ -39,10 +43,14 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::generate::is_evaluated;
 use crate::model::{Family, Parameter};
 use crate::plan::Input;
+use crate::plan::interval::form::RationalForm;
 use crate::steps::{FamilySteps, Steps};
 use absolute::Absolute;
+use angles::OnCoordinates;
+pub use angles::{ASSUMED, needs_functions};
 use cell::Cell;
 use exact::Exact;
 use relative::Relative;
@@ -153,15 +161,10 @@ impl Bound {
 /// Bounds of the errors of the values of all functions; `None` for one without. On several spans a function has one bound
 /// for all of them.
 ///
-/// `None` in place of a list when the work is spent, the family is too large to be generated, has angles, or a knot that is
-/// no float.
+/// `None` in place of a list when the work is spent, the family is too large to be generated, has an angle beside its sine, an
+/// end that is computed from shape parameters, or a knot that is no float.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
-    let steps = without_angles(family)?;
-    let mut spans = Vec::new();
-    for k in 0..steps.spans() {
-        let own = family.pieces.get(k).map_or(family, |piece| &**piece);
-        spans.push((steps.on_span(k).values(), Inputs::of(own, 0)));
-    }
+    let spans = spans(family)?;
     basis_prover::working(family.budget, &mut |work| {
         let mut exact = Vec::new();
         for (steps, inputs) in &spans {
@@ -169,6 +172,31 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
         }
         Some((0..family.functions.len()).map(|k| value(&mut exact, k, work)).listed())
     })
+}
+
+/// The values on each span with what their inputs are; `None` where nothing is known of these.
+fn spans(family: &Family) -> Option<Vec<(Steps, Inputs)>> {
+    if let Some(steps) = without_angles(family) {
+        let span = |k: usize| {
+            let own = family.pieces.get(k).map_or(family, |piece| &**piece);
+            (steps.on_span(k).values(), Inputs::of(own, 0))
+        };
+        return Some((0..steps.spans()).map(span).listed());
+    }
+    if !is_evaluated(family) {
+        return None;
+    }
+    let mut spans = Vec::new();
+    for (k, form) in RationalForm::of_family(family)?.iter().enumerate() {
+        let own = family.pieces.get(k).map_or(family, |piece| &**piece);
+        let OnCoordinates { steps, inputs, starts_at_float } = OnCoordinates::new(own, form)?;
+        // Where a knot is no float, the float next to it lies in the wrong span.
+        if k > 0 && !starts_at_float {
+            return None;
+        }
+        spans.push((steps, inputs));
+    }
+    Some(spans)
 }
 
 /// The steps of a family without angles, whose inner knots are floats: none other is known to the theorems here.
@@ -289,6 +317,8 @@ struct Inputs {
     points: Vec<Var>,
     /// Whether all coefficients that binding gave are 1.
     ones: bool,
+    /// The inputs that are no variables, with their exact values and how many u they are off.
+    off: Vec<(Input, Poly, Rational)>,
 }
 
 impl Inputs {
@@ -305,7 +335,7 @@ impl Inputs {
         for point in &points {
             ranges.push((*point, Range::closed(Rational::from(-1), Rational::ONE)));
         }
-        Self { region: Region { ranges }, shapes, coordinates, points, ones: false }
+        Self { region: Region { ranges }, shapes, coordinates, points, ones: false, off: Vec::new() }
     }
 
     fn variable(&self, input: Input) -> Option<Var> {

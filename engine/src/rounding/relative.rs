@@ -114,8 +114,8 @@ impl Relative {
         work: &mut Work,
     ) -> Option<Rational> {
         let mut size = Rational::ZERO;
-        for (_, _, total) in &self.roundings {
-            size += &Rational::from(*total);
+        for (k, _, total) in &self.roundings {
+            size += &(&exact.weight(*k) * &Rational::from(*total));
         }
         let mut rest = Rational::ZERO;
         for (f, value, total) in &self.sums {

@@ -76,6 +76,7 @@ fn of(steps: &Steps, shape: Range) -> Vec<String> {
         coordinates: vec![Var(1)],
         points: Vec::new(),
         ones: false,
+        off: Vec::new(),
     };
     let mut spans = [OnSpan { exact: Exact::new(steps, &inputs).unwrap(), steps, inputs: &inputs }];
     let work = &mut Work::unlimited();

@@ -8,9 +8,9 @@ use crate::continuation::EndPoints;
 use crate::generate::is_evaluated;
 use crate::model::Family;
 use crate::plan::ends::end_points;
-use crate::plan::form::IntervalForm;
+use crate::plan::interval::form::IntervalForm;
+use crate::plan::patch::form::Group;
 use crate::plan::patch::{PatchPlans, Table};
-use crate::plan::patch_form::Group;
 use crate::plan::{Input, interval};
 use crate::weights::{zero, zeros};
 

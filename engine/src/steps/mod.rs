@@ -33,6 +33,7 @@ pub use family::{EndSteps, FamilySteps};
 pub use join::JoinSteps;
 pub use lower::lower;
 pub use quotient::Derived;
+pub(crate) use series::value as elementary;
 
 /// A computation in single operations.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,12 +9,12 @@
 use super::{Builder, Function, Steps, lower};
 use crate::algebra::rational::Rational;
 use crate::generate::rational::split;
-use crate::generate::rational_forms;
 use crate::model::Family;
 use crate::model::angle::{Analytic, Angle, Kind};
 use crate::plan::denominator::Sign;
-use crate::plan::form::RationalForm;
-use crate::plan::{Input, Plan, rational};
+use crate::plan::interval::form::RationalForm;
+use crate::plan::interval::rational;
+use crate::plan::{Input, Plan};
 use basis_prover::collections::list::Listed;
 
 /// Numbers that depend on the shape values and are computed once for them.
@@ -254,7 +254,7 @@ impl Deriving {
 impl<'a> Quotients<'a> {
     /// Of a family that is evaluated so; `None` for others.
     pub(super) fn new(family: &'a Family) -> Option<Self> {
-        let forms = rational_forms(family)?;
+        let forms = RationalForm::of_family(family)?;
         let shapes = family.shapes.len();
         let mut deriving =
             Deriving { builder: Builder::folding(), shapes, names: Vec::new(), outputs: Vec::new() };
@@ -435,7 +435,7 @@ impl Span<'_> {
         let ends = self.ends.each_ref().map(|end| builder.scalar(end));
         // Whether a float of any kind has the end exactly.
         let is_exact = |end: &Scalar| match end {
-            Scalar::Known(end) => split(end, 20).1.is_zero(),
+            Scalar::Known(end) => split(end, 24).1.is_zero(),
             Scalar::Input(_) => true,
         };
         let Some(turn) = &self.turn else {
@@ -536,10 +536,12 @@ impl Builder {
         }
     }
 
-    /// A number as a sum, of which a float of any kind has the first two parts exactly.
+    /// A number as a sum: the nearest float of 24 bits, and with the second part that of 53 bits or more, so that next to
+    /// the number the difference of a float and the part before is exact, and what is lost of the next part is as small
+    /// beside the distance as u.
     fn parts(&mut self, number: &Rational) -> [usize; 3] {
-        let (first, rest) = split(number, 20);
-        let (second, third) = split(&rest, 24);
+        let (first, rest) = split(number, 24);
+        let (second, third) = split(&rest, 29);
         [first, second, third].map(|part| self.constant(part))
     }
 

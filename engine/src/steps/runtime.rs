@@ -4,7 +4,7 @@
 use super::Builder;
 use crate::algebra::number::binomial;
 use crate::algebra::rational::Rational;
-use crate::plan::patch_form::multi_indices;
+use crate::plan::patch::form::multi_indices;
 
 impl Builder {
     /// `Point::add_scaled`: a + b·factor.
@@ -47,7 +47,7 @@ impl Builder {
     }
 
     /// `macro_support::bernstein`.
-    pub(super) fn bernstein(&mut self, coefficients: &[usize], s: usize, x: usize) -> usize {
+    pub(crate) fn bernstein(&mut self, coefficients: &[usize], s: usize, x: usize) -> usize {
         let degree = coefficients.len().saturating_sub(1) as u32;
         let binomials: Vec<Rational> = (0..=degree).map(|k| binomial(degree, k)).collect();
         self.nested(coefficients, &binomials, s, x)

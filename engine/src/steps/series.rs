@@ -17,7 +17,7 @@ pub(super) fn rounded(value: &Rational) -> Rational {
 }
 
 /// A function of a number, with an error far below 10⁻⁶⁰ of the larger of it and 1; `None` for large arguments, and at a pole.
-pub(super) fn value(function: Function, x: &Rational) -> Option<Rational> {
+pub(crate) fn value(function: Function, x: &Rational) -> Option<Rational> {
     if x.abs() > Rational::from(LARGEST) {
         return None;
     }

@@ -5,6 +5,7 @@ mod independence_on_triangles;
 mod mutation;
 mod oracle;
 mod rounding;
+mod rounding_of_sines;
 #[path = "../support/mod.rs"]
 mod support;
 mod theorems;

@@ -141,7 +141,7 @@ fn no_error_is_beyond_its_bound() {
                 continue;
             }
             last.clone_from(&family.name);
-            // Nothing is proved of sines, nor of knots that are shape values.
+            // Sines have no exact values, and nothing is proved of knots that are shape values.
             let spans: Vec<&Family> = match family.pieces.as_slice() {
                 [] => vec![family],
                 pieces => pieces.iter().map(|piece| &**piece).collect(),

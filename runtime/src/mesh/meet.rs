@@ -3,9 +3,9 @@
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
-use super::cells::{Cells, on_edge};
-use super::facets::Node;
-use super::lines::WIDTH;
+use super::cut::cells::{Cells, on_edge};
+use super::cut::facets::Node;
+use super::cut::lines::WIDTH;
 use super::patch::Patch;
 use super::weld::{Seams, Side};
 use crate::vector::{cross, distance, dot, length};

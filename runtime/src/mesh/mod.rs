@@ -1,23 +1,11 @@
 //! Triangle meshes of surfaces: within a tolerance, without cracks, consistently oriented.
 
-mod cells;
+mod cut;
 mod error;
-mod facets;
-mod flat;
-#[cfg(feature = "gltf")]
-mod gltf;
-mod graph;
-mod index;
-mod limits;
-mod lines;
+mod files;
 mod meet;
-#[cfg(feature = "obj")]
-mod obj;
 mod orient;
 mod patch;
-mod steps;
-#[cfg(feature = "stl")]
-mod stl;
 mod tessellation;
 mod weld;
 

@@ -4,12 +4,12 @@ use alloc::boxed::Box;
 use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
-use super::cells::{Cells, Leaf, Sheet, is_crowded, on_edge, unit};
-use super::facets::Node;
-use super::facets::{Cut, triangles};
-use super::index::Index;
-use super::limits::Limits;
-use super::lines::WIDTH;
+use super::cut::cells::{Cells, Leaf, Sheet, is_crowded, on_edge, unit};
+use super::cut::facets::Node;
+use super::cut::facets::{Cut, triangles};
+use super::cut::index::Index;
+use super::cut::limits::Limits;
+use super::cut::lines::WIDTH;
 use super::meet::meet;
 use super::orient::orient;
 use super::patch::Patch;

@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::cells::{on_edge, unit};
-use super::lines::WIDTH;
+use super::cut::cells::{on_edge, unit};
+use super::cut::lines::WIDTH;
 use super::patch::Patch;
 use crate::vector::distance;
 use crate::{Edge, Scalar};

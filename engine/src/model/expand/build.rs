@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 
 use super::domain::domain;
-use super::{angles, claims, functions, indices, names, occurs, shapes};
+use super::{angles, claims, functions, names, occurs, shapes};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
@@ -78,7 +78,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         scope.report(error.help("write `b[0] = …;`, or `b[i] = … for i in 0..=n;`"));
         return None;
     }
-    indices::check_indices(scope, written);
+    functions::check_indices(scope, written);
     let (shapes, (domain, simplices)) = (shapes?, domain?);
     // A function whose formula went wrong is left out here; the family is then not used, except to look for
     // more mistakes in its claims.

@@ -1,7 +1,6 @@
 //! From a family as it is written to the family itself: its domain (`domain`, with angles `angles`, with several spans
-//! `spans`), its shape parameters (`shapes`), its functions (`functions`, by loops and by recursion, `function` a single
-//! one), all of them in any order (`names`), whether their indices leave a gap (`indices`), and what is claimed
-//! (`claims`), at values that are fixed (`fixed`) or everywhere.
+//! `spans`), its shape parameters (`shapes`), its functions (`functions`), all names and functions in any order (`names`,
+//! which of them `occurs` in others), and what is claimed (`claims`), at values that are fixed (`fixed`) or everywhere.
 //! `build` puts one span together, `whole` all of them.
 
 #[cfg(feature = "angles")]
@@ -13,14 +12,7 @@ mod build;
 mod claims;
 mod domain;
 mod fixed;
-#[cfg(feature = "angles")]
-mod fixed_angle;
-#[cfg(not(feature = "angles"))]
-#[path = "no_fixed_angle.rs"]
-mod fixed_angle;
-mod function;
 mod functions;
-mod indices;
 pub(crate) mod names;
 mod occurs;
 pub(super) mod shapes;

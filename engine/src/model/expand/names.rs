@@ -5,7 +5,7 @@
 
 use proc_macro2::Span;
 
-use super::function;
+use super::functions::single;
 use crate::model::label;
 use crate::model::scope::{Needed, Planned, Scope};
 use crate::syntax::{self, Binding, Name, NameDef, StatementKind};
@@ -99,7 +99,7 @@ pub(crate) fn solve(scope: &mut Scope<'_>, first: Needed) {
 /// Evaluates one name or function; `false` when it went wrong or waits for another one.
 fn evaluate(scope: &mut Scope<'_>, needed: &Needed) -> bool {
     match needed {
-        Needed::Function(index) => function::evaluate(scope, index),
+        Needed::Function(index) => single::evaluate(scope, index),
         Needed::Name(name) => {
             let Some(value) = scope.planned.named(name).map(|planned| planned.value) else { return false };
             // What is around the formula that needs the name has no meaning in it.
@@ -124,7 +124,7 @@ fn fail(scope: &mut Scope<'_>, needed: &Needed) {
         Needed::Name(name) => {
             scope.lets.insert(name.clone(), None);
         }
-        Needed::Function(index) => function::give_up(scope, index),
+        Needed::Function(index) => single::give_up(scope, index),
     }
 }
 

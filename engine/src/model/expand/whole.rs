@@ -7,7 +7,7 @@ use basis_prover::collections::sort::sort_by_key;
 
 use super::build;
 use super::claims::{self, Wanted};
-use super::fixed_angle;
+use super::fixed;
 use super::spans::{self, ends};
 use crate::claim::{Claim, ClaimKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -218,7 +218,7 @@ fn apart<'a>(
         let StatementKind::Claim(syntax::Claim { kind, .. }) = &statement.kind else { continue };
         let given = match kind {
             syntax::ClaimKind::At(bindings, _) => {
-                fixed_angle::without_tangents(library, unit, written, family, bindings)
+                fixed::without_tangents(library, unit, written, family, bindings)
             }
             _ => Given::new(),
         };

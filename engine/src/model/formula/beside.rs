@@ -13,9 +13,9 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::model::angle::enclosure::{self, Anchor, From};
 use crate::model::angle::{Analytic, Angle, Kind};
 use crate::model::chart::{self, Constraint};
-use crate::model::enclosure::{self, Anchor, From};
 use crate::model::obligation::{Goal, Open};
 use crate::model::scope::Scope;
 

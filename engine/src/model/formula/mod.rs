@@ -1,11 +1,7 @@
 //! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives, integrals,
-//! names with arguments, calls of other families, loops, and expressions that must be numbers; `phase`, `angle_integral` and
-//! `beside` for angles; `settle` decides what has
-//! to hold for them to mean something; `print` writes them into messages.
+//! names with arguments, calls of other families, loops, and expressions that must be numbers; `phase` and `beside`
+//! for angles; `settle` decides what has to hold for them to mean something; `print` writes them into messages.
 
-#[cfg(feature = "angles")]
-mod angle_integral;
-mod antiderivative;
 mod arguments;
 #[cfg(feature = "angles")]
 mod beside;
@@ -17,7 +13,6 @@ mod loops;
 #[cfg(not(feature = "angles"))]
 mod no_angles;
 pub(crate) mod numbers;
-mod over_spans;
 #[cfg(feature = "angles")]
 pub(crate) mod phase;
 pub(crate) mod print;

@@ -7,7 +7,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
-use crate::model::enclosure::pi_bounds;
+use crate::model::angle::enclosure::pi_bounds;
 use crate::model::scope::Scope;
 use basis_prover::collections::list::Listed;
 

@@ -7,8 +7,8 @@ use super::limits::{Bound, Tangent, psi, stays_finite};
 use super::survey::Use;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::model::angle::enclosure::pi_bounds;
 use crate::model::angle::{Kind, multiple_of_pi};
-use crate::model::enclosure::pi_bounds;
 use crate::model::scope::Scope;
 use basis_prover::collections::list::{Listed, Mapped};
 

@@ -21,7 +21,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::real::algebraic::Algebraic;
 use crate::algebra::univariate::Univariate;
 use crate::model::angle::Kind;
-use crate::model::enclosure::pi_bounds;
+use crate::model::angle::enclosure::pi_bounds;
 use crate::model::formula::phase::Linear;
 use crate::model::roots::{Root, reduced};
 use crate::model::scope::Scope;

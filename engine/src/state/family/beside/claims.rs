@@ -14,10 +14,10 @@ use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
+use crate::model::angle::enclosure::{Anchor, From, row_without};
+use crate::model::angle::tangents::has_ends;
 use crate::model::angle::{Angle, Kind};
 use crate::model::chart::Piece;
-use crate::model::enclosure::{Anchor, From, row_without};
-use crate::model::tangents::has_ends;
 use crate::state::family::{
     Enough, Said, Saying, is_wider, method, premises, said, statements, without_numbers,
 };

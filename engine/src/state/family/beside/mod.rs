@@ -32,13 +32,13 @@ use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
+use crate::model::angle::enclosure::{Anchor, From, without};
 use crate::model::angle::{Angle, Kind};
-use crate::model::enclosure::{Anchor, From, without};
 use crate::model::{Family, Function};
 use ladder::Ladder;
 use sample::Values;
 
-pub(super) use crate::model::tangents::wider;
+pub(super) use crate::model::angle::tangents::wider;
 pub(super) use claims::{
     Whatever, about, at_point, enough, proved_at_once, refuted, refuted_whatever, rows_between_bounds, shown,
 };

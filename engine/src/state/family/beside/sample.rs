@@ -15,8 +15,8 @@ use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
+use crate::model::angle::enclosure::inverse;
 use crate::model::angle::{Angle, Kind};
-use crate::model::enclosure::inverse;
 use basis_prover::collections::sort::sort_by;
 
 /// The level of the continued fractions from which the values of angles come.

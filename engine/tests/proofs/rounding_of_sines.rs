@@ -1,0 +1,158 @@
+//! Rounding errors of families with angles and exponentials beside their proved bounds, in `f32`, with the same steps in
+//! `f64` as the reference: no error is larger, at the floats next to both ends of the domain and between them.
+
+use basis_engine::algebra::rational::Rational;
+use basis_engine::model::angle::Kind;
+use basis_engine::plan::Input;
+use basis_engine::rounding::{self, Error};
+use basis_engine::steps::{FamilySteps, Number, Steps};
+use basis_engine::{Disk, Family, Library, Prover, Selected, Source, Subject};
+
+/// Numbers that look random and are the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 >> 33
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.next() as f64 / (1_u64 << 31) as f64
+    }
+}
+
+/// The values of all functions on a span for one choice of shape values.
+struct OnSpan<'a, N> {
+    steps: &'a Steps,
+    shapes: Vec<N>,
+}
+
+impl<'a, N: Number> OnSpan<'a, N> {
+    fn new(family: &FamilySteps<'_>, steps: &'a Steps, given: &[N]) -> Option<Self> {
+        let mut shapes = given.to_vec();
+        if let Some(derived) = family.derived() {
+            shapes.extend(derived.steps.evaluate(|input| of(given, input))?);
+        }
+        Some(Self { steps, shapes })
+    }
+
+    fn at(&self, t: &N) -> Option<Vec<N>> {
+        self.steps.evaluate(|input| match input {
+            Input::Coordinate(_) => t.clone(),
+            _ => of(&self.shapes, input),
+        })
+    }
+}
+
+fn of<N: Number>(shapes: &[N], input: Input) -> N {
+    let Input::Shape(k) = input else { unreachable!("a shape value") };
+    shapes[k].clone()
+}
+
+/// Shape values inside of their ranges, those of angles from their tangents.
+fn shapes(family: &Family, random: &mut Random) -> Vec<f32> {
+    let shape = |p: &basis_engine::model::Parameter| {
+        let [low, high] = [&p.range.low, &p.range.high].map(|end| end.value().map(Rational::to_f64));
+        let low = low.or(high.map(|high| high - 8.0)).unwrap_or(-8.0);
+        let high = high.unwrap_or(low + 8.0);
+        let part =
+            [random.unit(), random.unit().powi(4), 1.0 - random.unit().powi(4)][random.next() as usize % 3];
+        let value = low + (high - low) * part.clamp(0.001, 0.999);
+        match family.analytic.angle(p.var) {
+            Some(angle) if angle.kind == Kind::Circular => (value.atan() / angle.speed().to_f64()) as f32,
+            Some(angle) if angle.kind == Kind::Hyperbolic => (value.atanh() / angle.speed().to_f64()) as f32,
+            _ => value as f32,
+        }
+    };
+    family.shapes.iter().map(shape).collect()
+}
+
+/// Floats inside of a domain: those next to both ends, and others.
+fn parameters([low, high]: [f32; 2], random: &mut Random) -> Vec<f32> {
+    let mut all = Vec::new();
+    let (mut up, mut down) = (low.next_up(), high.next_down());
+    for _ in 0..40 {
+        all.extend([up, down]);
+        (up, down) = (up.next_up(), down.next_down());
+    }
+    for _ in 0..160 {
+        let part =
+            [random.unit(), random.unit().powi(6), 1.0 - random.unit().powi(6)][random.next() as usize % 3];
+        all.push((f64::from(low) + (f64::from(high) - f64::from(low)) * part) as f32);
+    }
+    // Sines of smaller numbers have powers that underflow.
+    all.retain(|t| low < *t && *t < high && t.abs() > 1e-5);
+    all
+}
+
+/// The largest of the ratios of errors and bounds; no error is beyond its bound.
+fn largest_ratio(family: &Family, bounds: &[Option<Error>], random: &mut Random) -> f64 {
+    let mut largest = 0.0_f64;
+    let steps = FamilySteps::new(family).expect("a family with bounds");
+    for _ in 0..24 {
+        let given = shapes(family, random);
+        let wide: Vec<f64> = given.iter().map(|x| f64::from(*x)).collect();
+        let knots = steps.knots().evaluate(|input| of(&given, input)).expect("knots");
+        for (k, ends) in knots.windows(2).enumerate() {
+            let values = steps.on_span(k).values();
+            let (Some(narrow), Some(exact)) =
+                (OnSpan::<f32>::new(&steps, &values, &given), OnSpan::<f64>::new(&steps, &values, &wide))
+            else {
+                continue;
+            };
+            for t in parameters([ends[0], ends[1]], random) {
+                let (Some(found), Some(exact)) = (narrow.at(&t), exact.at(&f64::from(t))) else { continue };
+                for ((found, exact), bound) in found.iter().zip(&exact).zip(bounds) {
+                    let (Some(bound), true) = (bound, exact.is_finite() && exact.abs() > 1e-30) else {
+                        continue;
+                    };
+                    let allowed = bound.epsilons().to_f64() * f64::from(f32::EPSILON);
+                    let allowed =
+                        if matches!(bound, Error::Relative(_)) { allowed * exact.abs() } else { allowed };
+                    let ratio = (f64::from(*found) - exact).abs() / allowed;
+                    // The values in `f64` are off by 2⁻²⁹ of that.
+                    assert!(
+                        ratio <= 1.0 + 1e-6,
+                        "{}: {found} for {exact} at {t}, {given:?}, {ratio}",
+                        family.title()
+                    );
+                    largest = largest.max(ratio);
+                }
+            }
+        }
+    }
+    largest
+}
+
+#[test]
+fn no_error_is_beyond_its_bound() {
+    let random = &mut Random(11);
+    let (mut bounded, mut others, mut near) = (0, 0, 0);
+    for (name, text) in basis_specs::SPECS {
+        let library = Library::from_source(&Disk, &Prover, Source::text(format!("{name}.basis"), text));
+        let mut last = String::new();
+        for item in library.items(Selected::EveryOrder) {
+            let Subject::Family(family) = &item.subject else { continue };
+            let spans = family.pieces.iter().map(|piece| &**piece);
+            let is_transcendental = spans.chain([&**family]).any(|span| span.analytic.is_transcendental());
+            if !is_transcendental || family.name == last {
+                continue;
+            }
+            last.clone_from(&family.name);
+            let Some(bounds) = rounding::values(family) else {
+                others += 1;
+                continue;
+            };
+            let bounds: Vec<Option<Error>> = bounds.into_iter().map(|b| b.map(|b| b.error)).collect();
+            assert!(bounds.iter().all(Option::is_some), "{}: {bounds:?}", family.title());
+            bounded += 1;
+            let ratio = largest_ratio(family, &bounds, random);
+            near += usize::from(ratio > 0.1);
+        }
+    }
+    // Those with an angle beside its sine, and those with knots that are sums of shape parameters, have none.
+    assert!(bounded > 3 * others, "{bounded} and {others}");
+    // Libraries are better than assumed, and roundings do not all conspire.
+    assert!(near > bounded - bounded / 8, "{near} of {bounded}");
+}
