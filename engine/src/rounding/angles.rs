@@ -156,10 +156,12 @@ fn inputs(family: &Family, steps: &Steps, coordinates: &[Rational; 2]) -> Option
     })
 }
 
-/// With what is of higher order.
+/// With what is of higher order, rounded up to a number of few digits.
 fn in_all(weight: &Rational) -> Rational {
     let small = &(weight * &rest::unit()) * &Rational::from(16);
-    weight * &(&Rational::ONE + &small)
+    let most = weight * &(&Rational::ONE + &small);
+    let parts = Rational::from(256);
+    -&(&(-&(&most * &parts)).floor() * &parts.recip().unwrap_or(Rational::ONE))
 }
 
 /// A tangent x, or 1 − x, or 1 + x, with how many u it is off.

@@ -170,8 +170,24 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
         for (steps, inputs) in &spans {
             exact.push(OnSpan { exact: Exact::new(steps, inputs)?, steps, inputs });
         }
-        Some((0..family.functions.len()).map(|k| value(&mut exact, k, work)).listed())
+        let (count, whole) = (family.functions.len(), work.left());
+        let mut bounds = Vec::new();
+        // A hard function takes nothing that the easy ones after it need.
+        for k in 0..count {
+            let (left, others) = (work.left(), u64::try_from(count - k).unwrap_or(u64::MAX));
+            let share = (left / others).max(left.min(2 * whole / 5));
+            bounds.push(with_share(work, share, &mut |own| value(&mut exact, k, own)));
+        }
+        Some(bounds)
     })
+}
+
+/// Does something with a part of the work.
+fn with_share<T>(work: &mut Work, share: u64, part: &mut dyn FnMut(&mut Work) -> Option<T>) -> Option<T> {
+    let mut own = Work::new(share);
+    let result = part(&mut own);
+    work.spend(share - own.left())?;
+    result
 }
 
 /// The values on each span with what their inputs are; `None` where nothing is known of these.
