@@ -89,46 +89,33 @@ impl<S: basis_runtime::Scalar> Swing<S> {
                 [S::of(0.0), S::of(0.25) * (self.alpha)],
             )
         }
-            .coordinates(t);
+        .coordinates(t);
         let _tangent0 = v1::tan(S::of(0.25) * self.alpha);
         let _complement0 = v1::tan_complement(S::of(0.25) * self.alpha);
         let c0 = S::of(5.0) + _tangent0 * _tangent0;
         let c1 = S::of(5.0) + S::of(3.0) * _tangent0 * _tangent0;
-        let c2 = S::of(5.0)
-            + (S::of(6.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0;
-        let c3 = (S::of(1.0)
-            + (S::of(2.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0) * S::of(5.0);
+        let c2 = S::of(5.0) + (S::of(6.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0;
+        let c3 = (S::of(1.0) + (S::of(2.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0) * S::of(5.0);
         let c4 = S::of(5.0) - _tangent0 * _tangent0;
         let c5 = S::of(5.0) - S::of(3.0) * _tangent0 * _tangent0;
-        let c6 = _complement0
-            * (S::of(5.0)
-                + (S::of(5.0) + (-S::of(1.0) - _tangent0) * _tangent0) * _tangent0);
-        let c7 = _complement0 * _complement0
-            * (S::of(1.0) + (S::of(2.0) + _tangent0) * _tangent0) * S::of(5.0);
+        let c6 =
+            _complement0 * (S::of(5.0) + (S::of(5.0) + (-S::of(1.0) - _tangent0) * _tangent0) * _tangent0);
+        let c7 =
+            _complement0 * _complement0 * (S::of(1.0) + (S::of(2.0) + _tangent0) * _tangent0) * S::of(5.0);
         let c8 = S::of(12.0) * _tangent0;
         let c9 = _tangent0 * (S::of(4.0) - _tangent0) * S::of(3.0);
-        let c10 = _tangent0 * (S::of(6.0) + (-S::of(3.0) - _tangent0) * _tangent0)
-            * S::of(2.0);
-        let c11 = _tangent0 * _complement0
-            * (S::of(4.0) + (S::of(1.0) - _tangent0) * _tangent0) * S::of(3.0);
-        let c12 = _tangent0 * _complement0 * _complement0 * (S::of(1.0) + _tangent0)
-            * S::of(12.0);
+        let c10 = _tangent0 * (S::of(6.0) + (-S::of(3.0) - _tangent0) * _tangent0) * S::of(2.0);
+        let c11 = _tangent0 * _complement0 * (S::of(4.0) + (S::of(1.0) - _tangent0) * _tangent0) * S::of(3.0);
+        let c12 = _tangent0 * _complement0 * _complement0 * (S::of(1.0) + _tangent0) * S::of(12.0);
         let c13 = S::of(3.0) + _tangent0 * _tangent0;
         let c14 = (S::of(1.0) + _tangent0 * _tangent0) * S::of(3.0);
-        let c15 = (S::of(1.0)
-            + (S::of(2.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0) * S::of(3.0);
-        let w = S::of(0.2)
-            * v1::bernstein([S::of(5.0), S::of(5.0), c0, c1, c2, c3], s, x);
+        let c15 = (S::of(1.0) + (S::of(2.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0) * S::of(3.0);
+        let w = S::of(0.2) * v1::bernstein([S::of(5.0), S::of(5.0), c0, c1, c2, c3], s, x);
         let _ = (s, x);
         [
-            v1::cut_off(
-                S::of(0.2)
-                    * v1::bernstein([S::of(5.0), S::of(5.0), c4, c5, c6, c7], s, x) / w,
-            ),
-            S::of(0.3333333333333333) * v1::bernstein([c8, c9, c10, c11, c12], s, x) * x
-                / w,
-            S::of(0.3333333333333333)
-                * v1::bernstein([S::of(3.0), S::of(3.0), c13, c14, c15], s, x) * x / w,
+            v1::cut_off(S::of(0.2) * v1::bernstein([S::of(5.0), S::of(5.0), c4, c5, c6, c7], s, x) / w),
+            S::of(0.3333333333333333) * v1::bernstein([c8, c9, c10, c11, c12], s, x) * x / w,
+            S::of(0.3333333333333333) * v1::bernstein([S::of(3.0), S::of(3.0), c13, c14, c15], s, x) * x / w,
         ]
     }
     basis_runtime::__with_alloc! {
@@ -186,22 +173,16 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Swing<S> {
         let c1 = (S::of(5.0) - _tangent0 * _tangent0) * S::of(0.2);
         let c2 = _tangent0 * (S::of(4.0) - _tangent0) * S::of(0.4);
         let c3 = (S::of(5.0) - S::of(3.0) * _tangent0 * _tangent0) * S::of(0.2);
-        let c4 = _tangent0 * (S::of(6.0) + (-S::of(3.0) - _tangent0) * _tangent0)
-            * S::of(0.4);
+        let c4 = _tangent0 * (S::of(6.0) + (-S::of(3.0) - _tangent0) * _tangent0) * S::of(0.4);
         let c5 = (S::of(3.0) + _tangent0 * _tangent0) * S::of(0.2);
         let c6 = _complement0
-            * (S::of(5.0)
-                + (S::of(5.0) + (-S::of(1.0) - _tangent0) * _tangent0) * _tangent0)
+            * (S::of(5.0) + (S::of(5.0) + (-S::of(1.0) - _tangent0) * _tangent0) * _tangent0)
             * S::of(0.2);
-        let c7 = _tangent0 * _complement0
-            * (S::of(4.0) + (S::of(1.0) - _tangent0) * _tangent0) * S::of(0.8);
+        let c7 = _tangent0 * _complement0 * (S::of(4.0) + (S::of(1.0) - _tangent0) * _tangent0) * S::of(0.8);
         let c8 = (S::of(1.0) + _tangent0 * _tangent0) * S::of(0.8);
-        let c9 = _complement0 * _complement0
-            * (S::of(1.0) + (S::of(2.0) + _tangent0) * _tangent0);
-        let c10 = _tangent0 * _complement0 * _complement0 * (S::of(1.0) + _tangent0)
-            * S::of(4.0);
-        let c11 = S::of(1.0)
-            + (S::of(2.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0;
+        let c9 = _complement0 * _complement0 * (S::of(1.0) + (S::of(2.0) + _tangent0) * _tangent0);
+        let c10 = _tangent0 * _complement0 * _complement0 * (S::of(1.0) + _tangent0) * S::of(4.0);
+        let c11 = S::of(1.0) + (S::of(2.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0;
         [
             [S::of(1.0), S::of(0.0), S::of(0.0)],
             [S::of(1.0), c0, S::of(0.2)],
@@ -218,10 +199,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Swing<S> {
         let _complement0 = v1::tan_complement(S::of(0.25) * self.alpha);
         let c0 = (S::of(5.0) + _tangent0 * _tangent0) * S::of(0.2);
         let c1 = (S::of(5.0) + S::of(3.0) * _tangent0 * _tangent0) * S::of(0.2);
-        let c2 = (S::of(5.0)
-            + (S::of(6.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0) * S::of(0.2);
-        let c3 = S::of(1.0)
-            + (S::of(2.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0;
+        let c2 = (S::of(5.0) + (S::of(6.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0) * S::of(0.2);
+        let c3 = S::of(1.0) + (S::of(2.0) + _tangent0 * _tangent0) * _tangent0 * _tangent0;
         [S::of(1.0), S::of(1.0), c0, c1, c2, c3]
     }
 }
@@ -295,7 +274,7 @@ impl<S: basis_runtime::Scalar> Fall<S> {
                 [S::of(0.0), S::of(0.5) * (self.rho)],
             )
         }
-            .coordinates(t);
+        .coordinates(t);
         let _tangent0 = v1::tanh(S::of(0.5) * self.rho);
         let _complement0 = v1::tanh_complement(S::of(0.5) * self.rho);
         let c0 = S::of(1.0) + _tangent0;
@@ -333,10 +312,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Fall<S> {
     type Points<T: Copy> = [T; 2];
     type Bernstein<T: Copy> = [T; 3];
     const NAME: &'static str = "Fall";
-    const ROUNDING: &'static [basis_runtime::Rounding] = &[
-        basis_runtime::Rounding::Relative(15.26),
-        basis_runtime::Rounding::Relative(15.01),
-    ];
+    const ROUNDING: &'static [basis_runtime::Rounding] =
+        &[basis_runtime::Rounding::Relative(15.26), basis_runtime::Rounding::Relative(15.01)];
     #[inline]
     fn chart(&self) -> basis_runtime::Chart<S> {
         let _tangent0 = v1::tanh(S::of(0.5) * self.rho);
@@ -455,38 +432,49 @@ impl<S: basis_runtime::Scalar> Peak<S> {
         let [s, x] = v1::unit([S::of(0.0), S::of(1.0)], t);
         let c0 = self.c * self.c;
         let c1 = -S::of(1.0) + self.m;
-        let c2 = ((S::of(1.0) + (-S::of(4.0) + S::of(4.0) * self.c) * self.c) * self.c
-            * self.c
-            + (S::of(1.0) + (-S::of(4.0) + S::of(8.0) * self.c) * self.c
-                + S::of(4.0) * self.m * self.m) * self.m * self.m) * S::of(6.0);
-        let c3 = ((S::of(2.0) + (-S::of(8.0) + S::of(8.0) * self.c) * self.c) * self.c
-            * self.c
-            + (-S::of(1.0) + (S::of(4.0) - S::of(8.0) * self.c) * self.c
-                + (S::of(2.0) + (-S::of(8.0) + S::of(16.0) * self.c) * self.c
-                    + (-S::of(8.0) + S::of(8.0) * self.m) * self.m) * self.m) * self.m)
+        let c2 = ((S::of(1.0) + (-S::of(4.0) + S::of(4.0) * self.c) * self.c) * self.c * self.c
+            + (S::of(1.0) + (-S::of(4.0) + S::of(8.0) * self.c) * self.c + S::of(4.0) * self.m * self.m)
+                * self.m
+                * self.m)
+            * S::of(6.0);
+        let c3 = ((S::of(2.0) + (-S::of(8.0) + S::of(8.0) * self.c) * self.c) * self.c * self.c
+            + (-S::of(1.0)
+                + (S::of(4.0) - S::of(8.0) * self.c) * self.c
+                + (S::of(2.0)
+                    + (-S::of(8.0) + S::of(16.0) * self.c) * self.c
+                    + (-S::of(8.0) + S::of(8.0) * self.m) * self.m)
+                    * self.m)
+                * self.m)
             * S::of(3.0);
         let c4 = S::of(1.0)
-            + (-S::of(4.0)
-                + (S::of(14.0) + (-S::of(24.0) + S::of(24.0) * self.c) * self.c)
-                    * self.c) * self.c
-            + (-S::of(6.0) + (S::of(24.0) - S::of(48.0) * self.c) * self.c
-                + (S::of(30.0) + (-S::of(24.0) + S::of(48.0) * self.c) * self.c
-                    + (-S::of(48.0) + S::of(24.0) * self.m) * self.m) * self.m) * self.m;
-        let c5 = (S::of(1.0)
-            + (-S::of(4.0)
-                + (S::of(10.0) + (-S::of(8.0) + S::of(8.0) * self.c) * self.c) * self.c)
+            + (-S::of(4.0) + (S::of(14.0) + (-S::of(24.0) + S::of(24.0) * self.c) * self.c) * self.c)
                 * self.c
-            + (-S::of(11.0) + (S::of(12.0) - S::of(24.0) * self.c) * self.c
-                + (S::of(26.0) + (-S::of(8.0) + S::of(16.0) * self.c) * self.c
-                    + (-S::of(24.0) + S::of(8.0) * self.m) * self.m) * self.m) * self.m)
+            + (-S::of(6.0)
+                + (S::of(24.0) - S::of(48.0) * self.c) * self.c
+                + (S::of(30.0)
+                    + (-S::of(24.0) + S::of(48.0) * self.c) * self.c
+                    + (-S::of(48.0) + S::of(24.0) * self.m) * self.m)
+                    * self.m)
+                * self.m;
+        let c5 = (S::of(1.0)
+            + (-S::of(4.0) + (S::of(10.0) + (-S::of(8.0) + S::of(8.0) * self.c) * self.c) * self.c) * self.c
+            + (-S::of(11.0)
+                + (S::of(12.0) - S::of(24.0) * self.c) * self.c
+                + (S::of(26.0)
+                    + (-S::of(8.0) + S::of(16.0) * self.c) * self.c
+                    + (-S::of(24.0) + S::of(8.0) * self.m) * self.m)
+                    * self.m)
+                * self.m)
             * S::of(3.0);
         let c6 = (S::of(5.0)
-            + (-S::of(4.0)
-                + (S::of(9.0) + (-S::of(4.0) + S::of(4.0) * self.c) * self.c) * self.c)
-                * self.c
-            + (-S::of(18.0) + (S::of(8.0) - S::of(16.0) * self.c) * self.c
-                + (S::of(25.0) + (-S::of(4.0) + S::of(8.0) * self.c) * self.c
-                    + (-S::of(16.0) + S::of(4.0) * self.m) * self.m) * self.m) * self.m)
+            + (-S::of(4.0) + (S::of(9.0) + (-S::of(4.0) + S::of(4.0) * self.c) * self.c) * self.c) * self.c
+            + (-S::of(18.0)
+                + (S::of(8.0) - S::of(16.0) * self.c) * self.c
+                + (S::of(25.0)
+                    + (-S::of(4.0) + S::of(8.0) * self.c) * self.c
+                    + (-S::of(16.0) + S::of(4.0) * self.m) * self.m)
+                    * self.m)
+                * self.m)
             * S::of(6.0);
         let _root0 = t - self.m;
         let _root1 = v1::bernstein([self.m, c1], s, x);
@@ -495,10 +483,7 @@ impl<S: basis_runtime::Scalar> Peak<S> {
         [
             c0 / w,
             _root1 * _root1 / w,
-            v1::cut_off(
-                S::of(0.041666666666666664) * v1::bernstein([c2, c3, c4, c5, c6], s, x)
-                    / w,
-            ),
+            v1::cut_off(S::of(0.041666666666666664) * v1::bernstein([c2, c3, c4, c5, c6], s, x) / w),
         ]
     }
     basis_runtime::__with_alloc! {
@@ -541,44 +526,54 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Peak<S> {
     fn numerators(&self) -> [[S; 3]; 5] {
         let c0 = self.c * self.c;
         let c1 = self.m * self.m;
-        let c2 = ((S::of(1.0) + (-S::of(4.0) + S::of(4.0) * self.c) * self.c) * self.c
-            * self.c
-            + (S::of(1.0) + (-S::of(4.0) + S::of(8.0) * self.c) * self.c
-                + S::of(4.0) * self.m * self.m) * self.m * self.m) * S::of(0.25);
+        let c2 = ((S::of(1.0) + (-S::of(4.0) + S::of(4.0) * self.c) * self.c) * self.c * self.c
+            + (S::of(1.0) + (-S::of(4.0) + S::of(8.0) * self.c) * self.c + S::of(4.0) * self.m * self.m)
+                * self.m
+                * self.m)
+            * S::of(0.25);
         let c3 = self.m * (-S::of(1.0) + S::of(2.0) * self.m) * S::of(0.5);
-        let c4 = ((S::of(2.0) + (-S::of(8.0) + S::of(8.0) * self.c) * self.c) * self.c
-            * self.c
-            + (-S::of(1.0) + (S::of(4.0) - S::of(8.0) * self.c) * self.c
-                + (S::of(2.0) + (-S::of(8.0) + S::of(16.0) * self.c) * self.c
-                    + (-S::of(8.0) + S::of(8.0) * self.m) * self.m) * self.m) * self.m)
+        let c4 = ((S::of(2.0) + (-S::of(8.0) + S::of(8.0) * self.c) * self.c) * self.c * self.c
+            + (-S::of(1.0)
+                + (S::of(4.0) - S::of(8.0) * self.c) * self.c
+                + (S::of(2.0)
+                    + (-S::of(8.0) + S::of(16.0) * self.c) * self.c
+                    + (-S::of(8.0) + S::of(8.0) * self.m) * self.m)
+                    * self.m)
+                * self.m)
             * S::of(0.125);
-        let c5 = (S::of(1.0) + (-S::of(6.0) + S::of(6.0) * self.m) * self.m)
-            * S::of(0.16666666666666666);
+        let c5 = (S::of(1.0) + (-S::of(6.0) + S::of(6.0) * self.m) * self.m) * S::of(0.16666666666666666);
         let c6 = (S::of(1.0)
-            + (-S::of(4.0)
-                + (S::of(14.0) + (-S::of(24.0) + S::of(24.0) * self.c) * self.c)
-                    * self.c) * self.c
-            + (-S::of(6.0) + (S::of(24.0) - S::of(48.0) * self.c) * self.c
-                + (S::of(30.0) + (-S::of(24.0) + S::of(48.0) * self.c) * self.c
-                    + (-S::of(48.0) + S::of(24.0) * self.m) * self.m) * self.m) * self.m)
+            + (-S::of(4.0) + (S::of(14.0) + (-S::of(24.0) + S::of(24.0) * self.c) * self.c) * self.c)
+                * self.c
+            + (-S::of(6.0)
+                + (S::of(24.0) - S::of(48.0) * self.c) * self.c
+                + (S::of(30.0)
+                    + (-S::of(24.0) + S::of(48.0) * self.c) * self.c
+                    + (-S::of(48.0) + S::of(24.0) * self.m) * self.m)
+                    * self.m)
+                * self.m)
             * S::of(0.041666666666666664);
         let c7 = (S::of(1.0) - self.m) * (S::of(1.0) - S::of(2.0) * self.m) * S::of(0.5);
         let c8 = (S::of(1.0)
-            + (-S::of(4.0)
-                + (S::of(10.0) + (-S::of(8.0) + S::of(8.0) * self.c) * self.c) * self.c)
-                * self.c
-            + (-S::of(11.0) + (S::of(12.0) - S::of(24.0) * self.c) * self.c
-                + (S::of(26.0) + (-S::of(8.0) + S::of(16.0) * self.c) * self.c
-                    + (-S::of(24.0) + S::of(8.0) * self.m) * self.m) * self.m) * self.m)
+            + (-S::of(4.0) + (S::of(10.0) + (-S::of(8.0) + S::of(8.0) * self.c) * self.c) * self.c) * self.c
+            + (-S::of(11.0)
+                + (S::of(12.0) - S::of(24.0) * self.c) * self.c
+                + (S::of(26.0)
+                    + (-S::of(8.0) + S::of(16.0) * self.c) * self.c
+                    + (-S::of(24.0) + S::of(8.0) * self.m) * self.m)
+                    * self.m)
+                * self.m)
             * S::of(0.125);
         let c9 = (S::of(1.0) - self.m) * (S::of(1.0) - self.m);
         let c10 = (S::of(5.0)
-            + (-S::of(4.0)
-                + (S::of(9.0) + (-S::of(4.0) + S::of(4.0) * self.c) * self.c) * self.c)
-                * self.c
-            + (-S::of(18.0) + (S::of(8.0) - S::of(16.0) * self.c) * self.c
-                + (S::of(25.0) + (-S::of(4.0) + S::of(8.0) * self.c) * self.c
-                    + (-S::of(16.0) + S::of(4.0) * self.m) * self.m) * self.m) * self.m)
+            + (-S::of(4.0) + (S::of(9.0) + (-S::of(4.0) + S::of(4.0) * self.c) * self.c) * self.c) * self.c
+            + (-S::of(18.0)
+                + (S::of(8.0) - S::of(16.0) * self.c) * self.c
+                + (S::of(25.0)
+                    + (-S::of(4.0) + S::of(8.0) * self.c) * self.c
+                    + (-S::of(16.0) + S::of(4.0) * self.m) * self.m)
+                    * self.m)
+                * self.m)
             * S::of(0.25);
         [[c0, c1, c2], [c0, c3, c4], [c0, c5, c6], [c0, c7, c8], [c0, c9, c10]]
     }
@@ -586,12 +581,11 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Peak<S> {
     #[inline]
     fn denominator(&self) -> [S; 5] {
         let c0 = self.c * self.c + self.m * self.m;
-        let c1 = (S::of(2.0) * self.c * self.c
-            + (-S::of(1.0) + S::of(2.0) * self.m) * self.m) * S::of(0.5);
-        let c2 = (S::of(1.0) + S::of(6.0) * self.c * self.c
-            + (-S::of(6.0) + S::of(6.0) * self.m) * self.m) * S::of(0.16666666666666666);
-        let c3 = (S::of(1.0) + S::of(2.0) * self.c * self.c
-            + (-S::of(3.0) + S::of(2.0) * self.m) * self.m) * S::of(0.5);
+        let c1 = (S::of(2.0) * self.c * self.c + (-S::of(1.0) + S::of(2.0) * self.m) * self.m) * S::of(0.5);
+        let c2 = (S::of(1.0) + S::of(6.0) * self.c * self.c + (-S::of(6.0) + S::of(6.0) * self.m) * self.m)
+            * S::of(0.16666666666666666);
+        let c3 = (S::of(1.0) + S::of(2.0) * self.c * self.c + (-S::of(3.0) + S::of(2.0) * self.m) * self.m)
+            * S::of(0.5);
         let c4 = S::of(1.0) + self.c * self.c + (-S::of(2.0) + self.m) * self.m;
         [c0, c1, c2, c3, c4]
     }
@@ -685,16 +679,13 @@ impl<S: basis_runtime::Scalar> basis_runtime::SpannedBasis for Hump<S> {
     type Bernstein<T: Copy> = [T; 4];
     type Spans<T: Copy> = [T; 2];
     const NAME: &'static str = "Hump";
-    const ROUNDING: &'static [basis_runtime::Rounding] = &[
-        basis_runtime::Rounding::Relative(2.51),
-        basis_runtime::Rounding::Absolute(2.63),
-    ];
+    const ROUNDING: &'static [basis_runtime::Rounding] =
+        &[basis_runtime::Rounding::Relative(2.51), basis_runtime::Rounding::Absolute(2.63)];
     #[inline]
     fn charts(&self) -> [basis_runtime::Chart<S>; 2] {
-        [
-            { basis_runtime::Chart::affine([S::of(0.0), S::of(1.0)]) },
-            { basis_runtime::Chart::affine([S::of(1.0), S::of(2.5)]) },
-        ]
+        [{ basis_runtime::Chart::affine([S::of(0.0), S::of(1.0)]) }, {
+            basis_runtime::Chart::affine([S::of(1.0), S::of(2.5)])
+        }]
     }
 
     #[inline]
@@ -713,10 +704,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::SpannedBasis for Hump<S> {
                 let [s, x] = v1::unit([S::of(1.0), S::of(2.5)], t);
                 let c0 = S::of(1.0) + self.k;
                 let _ = (s, x);
-                [
-                    c0 * s,
-                    S::of(0.75) * v1::bernstein([-S::of(2.0), S::of(1.0)], s, x) * x,
-                ]
+                [c0 * s, S::of(0.75) * v1::bernstein([-S::of(2.0), S::of(1.0)], s, x) * x]
             }
         }
     }
@@ -736,12 +724,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::SpannedBasis for Hump<S> {
                 let c0 = S::of(1.0) + self.k;
                 let c1 = (S::of(1.0) + self.k) * S::of(0.6666666666666666);
                 let c2 = (S::of(1.0) + self.k) * S::of(0.3333333333333333);
-                [
-                    [c0, S::of(0.0)],
-                    [c1, -S::of(0.5)],
-                    [c2, -S::of(0.25)],
-                    [S::of(0.0), S::of(0.75)],
-                ]
+                [[c0, S::of(0.0)], [c1, -S::of(0.5)], [c2, -S::of(0.25)], [S::of(0.0), S::of(0.75)]]
             }
         }
     }
