@@ -3,23 +3,33 @@
 //! Two parts `A(x)` and `B(y)` are put aside when their boxes, or their control points along the direction from one to
 //! the other, are farther apart than the accuracy. With a matrix `M` near the inverse of the derivative of `F = A - B`
 //! in the middle and `q = max |M F' - 1| < 1` over both parts, from the control points of the derivatives, `F` has at
-//! most one zero, and that lies within `q/2` of the place to which Newton's step leads from the middle (the operator of
-//! Krawczyk): if that is outside of both parts there is none; otherwise Newton's method finds it. All others are
-//! halved, until they are so short, or so straight, that they are one answer within the accuracy. So nothing is left
-//! out.
+//! most one zero, and all places with `|F| <= d` lie within `q/2 + d |M|` of the place to which Newton's step leads from
+//! the middle (the operator of Krawczyk): if that is outside of both parts there is none; otherwise Newton's method
+//! finds the zero. All others are halved, until control points show that they are one curve, or that both go along
+//! their chords: then the intervals in which the chords are beside each other are known. So nothing is left out.
+//!
+//! Intervals that touch each other are one answer, and what is beside a crossing belongs to it. The parts between two
+//! places of one curve say whether these are places at which it meets itself: not if it goes on in one direction between
+//! them, or no farther than twice the accuracy.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
 use super::CurvePiece;
-use super::beside::{approach, beside, dot, is_beside, point, pseudo_inverse, state};
+use super::beside::{self, Near, Straight, approach, dot, point, pseudo_inverse, state};
 use super::clipping::{self, View};
 use super::piece::{derivative, product};
 use super::{line, merged};
 use crate::Scalar;
 
-/// The most pairs of parts that are looked at; those that are left then are answers as they are.
-const WORK: usize = 300_000;
+/// After so many pairs of parts, those that are left are compared in twice the accuracy, and so on.
+const WORK: usize = 40_000;
+
+/// What straight parts may be away from their chords, in the unit of the accuracy.
+const STRAIGHT: f64 = 0.125;
+
+/// How far rounding errors take points that are one from each other, in the unit in which the curves have the size 1.
+const NOISE: f64 = 1e-12;
 
 /// How two curves meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -58,7 +68,7 @@ pub(crate) fn meetings(
     if let ([first], [second]) = (a, b) {
         search.between(first, second, view);
         search.run();
-        return Some(search.answers(a, b, view));
+        return Some(search.answers(a, b, accuracy, view));
     }
     let boxes = [a, b].map(|pieces| pieces.iter().map(|piece| bounds(piece, view)).collect::<Vec<_>>());
     for (first, near) in a.iter().zip(&boxes[0]) {
@@ -69,7 +79,7 @@ pub(crate) fn meetings(
         }
     }
     search.run();
-    Some(search.answers(a, b, view))
+    Some(search.answers(a, b, accuracy, view))
 }
 
 /// All places at which a curve meets itself, the smaller parameter first, but for the one at which a closed curve ends
@@ -77,24 +87,26 @@ pub(crate) fn meetings(
 #[inline]
 pub(crate) fn self_meetings(a: &[CurvePiece], accuracy: f64, epsilon: f64) -> Option<Vec<Found>> {
     let (view, accuracy) = view(a, &[], accuracy, epsilon)?;
-    let mut search = Search::new(accuracy);
     let seen: Vec<CurvePiece> = a.iter().map(|piece| view.of(piece)).collect();
+    let mut search = Search::new(accuracy);
+    search.own = &seen;
     for (k, first) in seen.iter().enumerate() {
         search.against_itself(first);
-        for (n, second) in seen.iter().enumerate().skip(k + 1) {
-            if n == k + 1 {
-                search.open.push(Pair { first: first.clone(), second: second.clone(), adjacent: true });
-            } else {
-                search.between(&a[k], &a[n], view);
-            }
+        if let Some(second) = seen.get(k + 1) {
+            search.open.push(Pair { first: first.clone(), second: second.clone() });
+        }
+        for n in k + 2..seen.len() {
+            search.between(&a[k], &a[n], view);
         }
     }
     search.run();
-    let mut found = search.answers(a, a, view);
+    let mut found = search.answers(a, a, accuracy, view);
     let ends = [a.first()?.domain()[0], a.last()?.domain()[1]];
     let near = 1e-9 * (ends[1] - ends[0]);
     found.retain(|f| {
-        f.first[0] > ends[0] + near || f.second[1] < ends[1] - near || f.kind == MeetingKind::Overlap
+        let is_inside = f.first[0] > ends[0] + near || f.second[1] < ends[1] - near;
+        let comes_back = f.kind == MeetingKind::Overlap || f.first[1] + near >= f.second[0];
+        is_inside || comes_back
     });
     Some(found)
 }
@@ -139,26 +151,26 @@ fn bounds(piece: &CurvePiece, view: View<'_>) -> Vec<[f64; 2]> {
     (0..piece.dimension()).map(side).collect()
 }
 
-/// Two parts that may meet.
+/// Two parts that may meet; of one curve the first one comes before the second one.
 struct Pair {
     first: CurvePiece,
     second: CurvePiece,
-    /// Whether the second one begins where the first one ends, which is not asked for.
-    adjacent: bool,
 }
 
-struct Search {
+struct Search<'a> {
     accuracy: f64,
+    /// The pieces of the curve that is asked for places at which it meets itself; nothing if there are two curves.
+    own: &'a [CurvePiece],
     open: Vec<Pair>,
     crossings: Vec<[f64; 2]>,
-    /// Intervals of both parameters in which the curves are near each other.
-    near: Vec<[[f64; 2]; 2]>,
+    /// Where the curves are near each other.
+    near: Vec<Near>,
 }
 
-impl Search {
+impl Search<'_> {
     #[inline]
     fn new(accuracy: f64) -> Self {
-        Self { accuracy, open: Vec::new(), crossings: Vec::new(), near: Vec::new() }
+        Self { accuracy, own: &[], open: Vec::new(), crossings: Vec::new(), near: Vec::new() }
     }
 
     /// Two pieces, first by clipping; what that leaves is open.
@@ -167,7 +179,7 @@ impl Search {
         let mut open = |ranges: [[f64; 2]; 2]| {
             let part = |piece: &CurvePiece, [from, to]: [f64; 2]| view.of(piece).restricted(from, to);
             let (first, second) = (part(first, ranges[0]), part(second, ranges[1]));
-            self.open.push(Pair { first, second, adjacent: false });
+            self.open.push(Pair { first, second });
         };
         if !clipping::suits(first) || !clipping::suits(second) {
             open([[0.0, 1.0]; 2]);
@@ -185,12 +197,10 @@ impl Search {
         let outcome = clipping::search(first, second, view, self.accuracy);
         outcome.left.into_iter().for_each(open);
         self.crossings.extend(outcome.crossings.into_iter().map(parameters));
-        self.near.extend(
-            outcome
-                .near
-                .into_iter()
-                .map(|[x, y]| [x.map(|x| first.parameter(x)), y.map(|y| second.parameter(y))]),
-        );
+        self.near.extend(outcome.near.into_iter().map(|[x, y]| {
+            let intervals = [x.map(|x| first.parameter(x)), y.map(|y| second.parameter(y))];
+            Near { intervals, at: intervals.map(|[lo, hi]| 0.5 * (lo + hi)), distance: 0.0 }
+        }));
     }
 
     /// Pairs of parts of one piece.
@@ -198,16 +208,14 @@ impl Search {
     fn against_itself(&mut self, piece: &CurvePiece) {
         let mut open = vec![piece.clone()];
         while let Some(part) = open.pop() {
-            let velocities = velocities(&part);
-            let axis: Vec<f64> =
-                (0..part.dimension()).map(|d| velocities.iter().map(|v| v[d]).sum()).collect();
-            let forward = velocities.iter().all(|v| dot(v, &axis) > 0.0);
-            // A curve that goes on in one direction does not come back.
-            if forward || part.length_bounds()[1] <= self.accuracy {
+            if self.goes_on(core::slice::from_ref(&part)) {
                 continue;
             }
             let [before, after] = part.split(0.5);
-            self.open.push(Pair { first: before.clone(), second: after.clone(), adjacent: true });
+            if before.domain()[1] >= part.domain()[1] || before.domain()[0] >= before.domain()[1] {
+                continue;
+            }
+            self.open.push(Pair { first: before.clone(), second: after.clone() });
             open.extend([before, after]);
         }
     }
@@ -217,20 +225,13 @@ impl Search {
         let mut work = 0;
         while let Some(pair) = self.open.pop() {
             work += 1;
-            if self.is_apart(&pair) {
-                continue;
-            }
-            if pair.adjacent {
-                if !self.goes_on(&pair) {
-                    self.divide_neighbours(&pair);
-                }
-                continue;
-            }
             if work > WORK {
-                self.near.push([pair.first.domain(), pair.second.domain()]);
+                (work, self.accuracy) = (WORK / 2, 2.0 * self.accuracy);
+            }
+            if self.is_apart(&pair) || self.is_one_way(&pair) {
                 continue;
             }
-            match at_most_one(&pair) {
+            match at_most_one(&pair, self.accuracy) {
                 Some(Single::None) => continue,
                 Some(Single::At(at)) => {
                     self.crossings.push(at);
@@ -238,69 +239,95 @@ impl Search {
                 }
                 None => {}
             }
-            let lengths = [&pair.first, &pair.second].map(|part| part.length_bounds()[1]);
-            let straight = [&pair.first, &pair.second].map(|part| width(part) <= 0.125 * self.accuracy);
-            if straight == [true, true] || lengths[0].max(lengths[1]) <= self.accuracy {
-                let beside = [
-                    beside(&pair.first, &pair.second, self.accuracy),
-                    beside(&pair.second, &pair.first, self.accuracy),
-                ];
-                let [Some(first), Some(second)] = beside else { continue };
-                // Straight parts may also cross each other.
-                let short = lengths[0].max(lengths[1]) <= self.accuracy;
-                if short
-                    || first.iter().all(|&t| is_beside(&pair.first, t, &pair.second, 2.0 * self.accuracy))
-                {
-                    self.near.push([first, second]);
-                    continue;
-                }
+            let straight =
+                [&pair.first, &pair.second].map(|part| Straight::of(part, STRAIGHT * self.accuracy));
+            if let [Some(first), Some(second)] = &straight {
+                self.near.extend(beside::near([first, second], (1.0 + 2.0 * STRAIGHT) * self.accuracy));
+                continue;
+            }
+            let straight = straight.map(|part| part.is_some());
+            if self.is_alike(&pair) {
+                continue;
             }
             // What is not straight is divided first, then what is longer.
+            let lengths = [&pair.first, &pair.second].map(|part| part.length_bounds()[1]);
             let first = if straight[0] == straight[1] { lengths[0] >= lengths[1] } else { straight[1] };
-            let part = if first { &pair.first } else { &pair.second };
-            let halves = part.split(0.5);
+            let Pair { first: a, second: b } = pair;
+            let halves = if first { a.split(0.5) } else { b.split(0.5) };
             if halves.iter().any(|half| half.domain()[0] >= half.domain()[1]) {
-                self.near.push([pair.first.domain(), pair.second.domain()]);
+                let intervals = [a.domain(), b.domain()];
+                self.near.push(Near { intervals, at: intervals.map(|[lo, _]| lo), distance: self.accuracy });
                 continue;
             }
             for half in halves {
                 self.open.push(if first {
-                    Pair { first: half, second: pair.second.clone(), adjacent: false }
+                    Pair { first: half, second: b.clone() }
                 } else {
-                    Pair { first: pair.first.clone(), second: half, adjacent: false }
+                    Pair { first: a.clone(), second: half }
                 });
             }
         }
     }
 
-    /// Whether the curve goes on in one direction from the first part to the second, so that they meet only there; also
-    /// if both are as short as the accuracy.
+    /// Whether parts are one curve in intervals that are then known; what is beside these is open.
     #[inline]
-    fn goes_on(&self, pair: &Pair) -> bool {
-        let mut all = velocities(&pair.first);
-        all.extend(velocities(&pair.second));
-        let axis: Vec<f64> = (0..pair.first.dimension()).map(|d| all.iter().map(|v| v[d]).sum()).collect();
-        let lengths = [&pair.first, &pair.second].map(|part| part.length_bounds()[1]);
-        all.iter().all(|v| dot(v, &axis) > 0.0) || lengths[0].max(lengths[1]) <= self.accuracy
+    fn is_alike(&mut self, pair: &Pair) -> bool {
+        let Pair { first, second } = pair;
+        if !is_forward(core::slice::from_ref(first)) || !is_forward(core::slice::from_ref(second)) {
+            return false;
+        }
+        let Some([x, y]) = beside::alike(first, second, 2.0 * STRAIGHT * self.accuracy) else { return false };
+        let intervals = [x.map(|x| first.parameter(x)), y.map(|y| second.parameter(y))];
+        let at = [x, y].map(|[a, b]| 0.5 * (a + b));
+        let at = [first.parameter(at[0]), second.parameter(at[1])];
+        let ordered = intervals.map(|[a, b]| [a.min(b), a.max(b)]);
+        self.near.push(Near { intervals: ordered, at, distance: 0.0 });
+        let sides = |part: &CurvePiece, [a, b]: [f64; 2]| {
+            let (lo, hi) = (a.min(b), a.max(b));
+            let side =
+                |from: f64, to: f64| (to - from > 4.0 * f64::EPSILON).then(|| part.restricted(from, to));
+            [side(0.0, lo), side(hi, 1.0)]
+        };
+        for side in sides(first, x).into_iter().flatten() {
+            self.open.push(Pair { first: side, second: second.clone() });
+        }
+        let middle = first.restricted(x[0], x[1]);
+        for side in sides(second, y).into_iter().flatten() {
+            self.open.push(Pair { first: middle.clone(), second: side });
+        }
+        true
     }
 
+    /// Whether a curve between two parts of it goes on, so that these do not meet.
     #[inline]
-    fn divide_neighbours(&mut self, pair: &Pair) {
-        let ([a, b], [c, d]) = (pair.first.split(0.5), pair.second.split(0.5));
-        let apart = |first: &CurvePiece, second: &CurvePiece| Pair {
-            first: first.clone(),
-            second: second.clone(),
-            adjacent: false,
+    fn is_one_way(&self, Pair { first, second }: &Pair) -> bool {
+        let (from, to) = (first.domain()[0], second.domain()[1]);
+        let part = |piece: &CurvePiece| {
+            let [lo, hi] = piece.domain();
+            if hi <= from || lo >= to {
+                return None;
+            }
+            Some(if from <= lo && to >= hi {
+                piece.clone()
+            } else {
+                piece.restricted(piece.place(from.max(lo)), piece.place(to.min(hi)))
+            })
         };
-        self.open.extend([apart(&a, &c), apart(&a, &d), apart(&b, &d)]);
-        self.open.push(Pair { first: b, second: c, adjacent: true });
+        !self.own.is_empty() && self.goes_on(&self.own.iter().filter_map(part).collect::<Vec<_>>())
+    }
+
+    /// Whether consecutive parts go on in one direction, or no farther than twice the accuracy.
+    #[inline]
+    fn goes_on(&self, parts: &[CurvePiece]) -> bool {
+        let length: f64 = parts.iter().map(|part| part.length_bounds()[1]).sum();
+        length <= 2.0 * self.accuracy || is_forward(parts)
     }
 
     /// Whether the parts are farther from each other than the accuracy: their boxes, or their control points across the
     /// chord of one of them.
     #[inline]
     fn is_apart(&self, pair: &Pair) -> bool {
-        let Pair { first, second, .. } = pair;
+        let Pair { first, second } = pair;
         let dim = first.dimension();
         let range = |part: &CurvePiece, direction: &[f64]| {
             let mut range = [f64::INFINITY, f64::NEG_INFINITY];
@@ -346,47 +373,179 @@ impl Search {
 
     /// The answers: crossings, and intervals that touch each other as one.
     #[inline]
-    fn answers(mut self, a: &[CurvePiece], b: &[CurvePiece], view: View<'_>) -> Vec<Found> {
+    fn answers(self, a: &[CurvePiece], b: &[CurvePiece], accuracy: f64, view: View<'_>) -> Vec<Found> {
         let width = |pieces: &[CurvePiece]| match pieces {
             [first, .., last] => last.domain()[1] - first.domain()[0],
             [only] => only.domain()[1] - only.domain()[0],
             [] => 0.0,
         };
         let gaps = [1e-9 * width(a), 1e-9 * width(b)];
-        let groups = merged::boxes(core::mem::take(&mut self.near), gaps);
-        let mut found: Vec<Found> = Vec::new();
-        for at in merged::places(self.crossings, gaps) {
-            let [first, second] = at.map(|t| [t, t]);
-            found.push(Found { kind: MeetingKind::Crossing, first, second, at });
+        let crossing =
+            |at: [f64; 2]| Found { kind: MeetingKind::Crossing, first: [at[0]; 2], second: [at[1]; 2], at };
+        let crossings = merged::places(self.crossings, gaps);
+        if self.near.is_empty() {
+            return crossings.into_iter().map(crossing).collect();
         }
-        let count = found.len();
         let seen = |pieces: &[CurvePiece]| pieces.iter().map(|piece| view.of(piece)).collect::<Vec<_>>();
-        let (a, b) = if groups.is_empty() { (Vec::new(), Vec::new()) } else { (seen(a), seen(b)) };
-        for [first, second] in groups {
-            // The rest of the neighbourhood of a crossing belongs to it.
-            let reach = |[lo, hi]: [f64; 2], gap: f64| [lo - (hi - lo) - gap, hi + (hi - lo) + gap];
-            let ([from, to], [low, high]) = (reach(first, gaps[0]), reach(second, gaps[1]));
-            let crossings = &mut found[..count];
-            let start = crossings.partition_point(|f| f.at[0] < from);
-            let mut near = crossings[start..].iter_mut().take_while(|f| f.at[0] <= to);
-            if let Some(crossing) = near.find(|f| (low..=high).contains(&f.at[1])) {
-                for (interval, [lo, hi]) in [(&mut crossing.first, first), (&mut crossing.second, second)] {
-                    *interval = [interval[0].min(lo), interval[1].max(hi)];
-                }
-                continue;
-            }
-            let at = approach(&a, &b, [0.5 * (first[0] + first[1]), 0.5 * (second[0] + second[1])]);
-            let at = [at[0].clamp(first[0], first[1]), at[1].clamp(second[0], second[1])];
-            let ends = first.map(|t| point(&a, t));
-            let square: f64 = ends[0].iter().zip(&ends[1]).map(|(a, b)| (a - b) * (a - b)).sum();
-            // What two curves that touch have in common is some roots of the accuracy long.
-            let long = Scalar::sqrt(square) > 20.0 * Scalar::sqrt(self.accuracy);
-            let kind = if long { MeetingKind::Overlap } else { MeetingKind::Contact };
-            found.push(Found { kind, first, second, at });
+        let answers = Answers { curves: [seen(a), seen(b)], accuracy, itself: !self.own.is_empty() };
+        let mut boxes: Vec<[[f64; 2]; 2]> = self.near.iter().map(|near| near.intervals).collect();
+        boxes.extend(crossings.iter().map(|&at| answers.around(at)));
+        let groups = merged::groups(&boxes, gaps);
+        let mut members: Vec<usize> = (0..boxes.len()).collect();
+        members.sort_unstable_by_key(|&k| (groups[k], k));
+        let mut found = Vec::new();
+        for group in members.chunk_by(|&i, &j| groups[i] == groups[j]) {
+            // Crossings have the larger indices.
+            let (near, crossing_indices) = group.split_at(group.partition_point(|&k| k < self.near.len()));
+            let near: Vec<Near> = near.iter().map(|&k| self.near[k]).collect();
+            let own: Vec<Found> =
+                crossing_indices.iter().map(|&k| crossing(crossings[k - self.near.len()])).collect();
+            answers.add(&near, own, &mut found);
         }
-        found.sort_by(|a, b| a.at[0].total_cmp(&b.at[0]).then(a.at[1].total_cmp(&b.at[1])));
+        found.sort_by(|a: &Found, b| a.at[0].total_cmp(&b.at[0]).then(a.at[1].total_cmp(&b.at[1])));
         found
     }
+}
+
+/// What makes answers of groups.
+struct Answers {
+    curves: [Vec<CurvePiece>; 2],
+    accuracy: f64,
+    /// Whether both curves are one.
+    itself: bool,
+}
+
+impl Answers {
+    /// The answers to intervals that are connected to each other, and crossings among them.
+    #[inline]
+    fn add(&self, near: &[Near], mut crossings: Vec<Found>, found: &mut Vec<Found>) {
+        let Some(best) = near.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)) else {
+            found.append(&mut crossings);
+            return;
+        };
+        let mut around = best.intervals;
+        for part in near {
+            for (side, part) in around.iter_mut().zip(part.intervals) {
+                *side = [side[0].min(part[0]), side[1].max(part[1])];
+            }
+        }
+        let extent = self.extent(around[0]);
+        let long = extent > 20.0 * Scalar::sqrt(self.accuracy);
+        let [first, second] = around;
+        if !long && !crossings.is_empty() {
+            // The rest of the neighbourhood of a crossing belongs to it.
+            for part in near {
+                let middle = part.intervals.map(|[lo, hi]| 0.5 * (lo + hi));
+                let away = |f: &Found| (0..2).map(|k| (f.at[k] - middle[k]).abs()).fold(0.0, f64::max);
+                let nearest = crossings.iter_mut().min_by(|a, b| away(a).total_cmp(&away(b)));
+                let Some(crossing) = nearest else { continue };
+                for (interval, [lo, hi]) in
+                    [&mut crossing.first, &mut crossing.second].into_iter().zip(part.intervals)
+                {
+                    *interval = [interval[0].min(lo), interval[1].max(hi)];
+                }
+            }
+            found.extend(told_apart(crossings));
+            return;
+        }
+        let Some(at) = self.place(near, best, around, extent) else { return };
+        let kind = if long { MeetingKind::Overlap } else { MeetingKind::Contact };
+        found.push(Found { kind, first, second, at });
+    }
+
+    /// The parameters of an answer; `None` if the curves are not near each other, or parts of one curve are so only
+    /// because it turns between them.
+    #[inline]
+    fn place(&self, near: &[Near], best: &Near, around: [[f64; 2]; 2], extent: f64) -> Option<[f64; 2]> {
+        let [a, b] = &self.curves;
+        if !self.itself || !self.is_turn(around) {
+            let (at, distance) = approach(a, b, best.at, around);
+            return (distance <= self.accuracy).then_some(at);
+        }
+        // If it comes back the way that it went, then from as far as it does.
+        let is_place = |at: [f64; 2], distance: f64, enough: f64| {
+            at[0] < at[1] && distance <= enough && self.extent(at) > 2.0 * self.accuracy
+        };
+        let (at, distance) = approach(a, b, [around[0][0], around[1][1]], around);
+        if is_place(at, distance, NOISE) {
+            return Some(at);
+        }
+        if extent <= 4.0 * Scalar::sqrt(self.accuracy) {
+            return None;
+        }
+        let apart = |near: &&Near| near.at[1] - near.at[0];
+        let farthest = near
+            .iter()
+            .filter(|near| is_place(near.at, near.distance, self.accuracy))
+            .max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+        Some(farthest.at)
+    }
+
+    /// How far the first curve goes away from its point at one end of an interval.
+    #[inline]
+    fn extent(&self, [lo, hi]: [f64; 2]) -> f64 {
+        let start = point(&self.curves[0], lo);
+        let away = |k: u32| {
+            let end = point(&self.curves[0], lo + 0.125 * f64::from(k) * (hi - lo));
+            start.iter().zip(&end).map(|(a, b)| (a - b) * (a - b)).sum::<f64>()
+        };
+        Scalar::sqrt((1..=8).map(away).fold(0.0, f64::max))
+    }
+
+    /// Whether a curve turns between parts of it, at a cusp or a corner, so that they are near each other there.
+    #[inline]
+    fn is_turn(&self, [first, second]: [[f64; 2]; 2]) -> bool {
+        let [from, to] = [first[1], second[0]].map(|t| point(&self.curves[0], t));
+        let square: f64 = from.iter().zip(&to).map(|(a, b)| (a - b) * (a - b)).sum();
+        first[1] >= second[0] || square <= 64.0 * self.accuracy * self.accuracy
+    }
+
+    /// Intervals around a crossing outside of which the curves are not near each other, as far as they are straight.
+    #[inline]
+    fn around(&self, at: [f64; 2]) -> [[f64; 2]; 2] {
+        let pieces = [0, 1].map(|k| super::local::piece_at(&self.curves[k], at[k]));
+        let [Some(a), Some(b)] = pieces else { return at.map(|t| [t, t]) };
+        let places = [a.place(at[0]), b.place(at[1])];
+        let (_, columns) = state(a, b, places);
+        let Some(rows) = pseudo_inverse(&columns) else { return at.map(|t| [t, t]) };
+        let mut reach = rows.map(|row| 2.0 * self.accuracy * Scalar::sqrt(dot(&row, &row)));
+        let sign = if dot(&columns[0], &columns[1]) > 0.0 { -1.0 } else { 1.0 };
+        // Almost parallel ones are not straight as far as that.
+        let is_near = |steps: [f64; 2]| {
+            let (value, _) = state(a, b, [0, 1].map(|k| (places[k] + steps[k]).clamp(0.0, 1.0)));
+            dot(&value, &value) <= 16.0 * self.accuracy * self.accuracy
+        };
+        while reach[0].max(reach[1]) > 1e-12
+            && !(is_near([reach[0], sign * reach[1]]) && is_near([-reach[0], -sign * reach[1]]))
+        {
+            reach = reach.map(|r| 0.5 * r);
+        }
+        let pieces = [a, b];
+        [0, 1].map(|k| {
+            [-reach[k], reach[k]].map(|step| pieces[k].parameter((places[k] + step).clamp(0.0, 1.0)))
+        })
+    }
+}
+
+/// Crossings with their neighbourhoods; those in the neighbourhoods of each other are one place at which the curves touch.
+#[inline]
+fn told_apart(mut crossings: Vec<Found>) -> Vec<Found> {
+    let within = |f: &Found, at: [f64; 2]| {
+        [f.first, f.second].iter().zip(at).all(|(side, t)| (side[0]..=side[1]).contains(&t))
+    };
+    let mut kept: Vec<Found> = Vec::with_capacity(crossings.len());
+    while let Some(mut next) = crossings.pop() {
+        // One that has grown may contain another one.
+        while let Some(k) = kept.iter().position(|f| within(f, next.at) || within(&next, f.at)) {
+            let other = kept.swap_remove(k);
+            for (side, [lo, hi]) in [(&mut next.first, other.first), (&mut next.second, other.second)] {
+                *side = [side[0].min(lo), side[1].max(hi)];
+            }
+            next.kind = MeetingKind::Contact;
+        }
+        kept.push(next);
+    }
+    kept
 }
 
 /// What is known of parts that meet at most once.
@@ -397,10 +556,10 @@ enum Single {
     At([f64; 2]),
 }
 
-/// Whether the parts meet, if they meet at most once.
+/// Whether the parts meet, or come as near to each other as a distance, if they meet at most once.
 #[inline]
-fn at_most_one(pair: &Pair) -> Option<Single> {
-    let Pair { first, second, .. } = pair;
+fn at_most_one(pair: &Pair, distance: f64) -> Option<Single> {
+    let Pair { first, second } = pair;
     let dim = first.dimension();
     let (value, columns) = state(first, second, [0.5; 2]);
     let inverse = pseudo_inverse(&columns)?;
@@ -418,7 +577,8 @@ fn at_most_one(pair: &Pair) -> Option<Single> {
         return None;
     }
     let margin = 1e-10;
-    let possible = (0..2).all(|k| (step[k]).abs() <= 0.5 + 0.5 * q + margin);
+    let reach = |k: usize| distance * Scalar::sqrt(dot(&inverse[k], &inverse[k]));
+    let possible = (0..2).all(|k| (step[k]).abs() <= 0.5 + 0.5 * q + reach(k) + margin);
     if !possible {
         return Some(Single::None);
     }
@@ -490,18 +650,12 @@ fn velocities(part: &CurvePiece) -> Vec<Vec<f64>> {
     (0..count).map(|i| lists.iter().map(|list| list[i]).collect()).collect()
 }
 
-/// The largest distance of a control point from the line through the ends; the length of a part whose ends coincide.
+/// Whether consecutive parts go on in one direction, from the control vectors of their derivatives: such a curve does not
+/// come back.
 #[inline]
-fn width(part: &CurvePiece) -> f64 {
-    let (dim, last) = (part.dimension(), part.degree());
-    let chord: Vec<f64> = (0..dim).map(|d| part.control(last, d) - part.control(0, d)).collect();
-    let square = dot(&chord, &chord);
-    let mut widest = 0.0_f64;
-    for i in 1..last {
-        let arm: Vec<f64> = (0..dim).map(|d| part.control(i, d) - part.control(0, d)).collect();
-        let x = if square > 0.0 { (dot(&arm, &chord) / square).clamp(0.0, 1.0) } else { 0.0 };
-        let away: f64 = arm.iter().zip(&chord).map(|(a, c)| (a - x * c) * (a - x * c)).sum();
-        widest = widest.max(Scalar::sqrt(away));
-    }
-    widest
+fn is_forward(parts: &[CurvePiece]) -> bool {
+    let all: Vec<Vec<f64>> = parts.iter().flat_map(velocities).collect();
+    let dim = all.first().map_or(0, Vec::len);
+    let axis: Vec<f64> = (0..dim).map(|d| all.iter().map(|v| v[d]).sum()).collect();
+    all.iter().all(|v| dot(v, &axis) > 0.0)
 }

@@ -1,7 +1,6 @@
 //! Answers that are one: places of two parameters that are beside each other, and boxes that touch, found in sorted
 //! order.
 
-use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
 /// Intervals of two parameters.
@@ -29,65 +28,41 @@ pub(super) fn places(mut places: Vec<[f64; 2]>, gaps: [f64; 2]) -> Vec<[f64; 2]>
     kept
 }
 
-/// The boxes that are left when those that touch each other, or are no farther apart than the gaps, are replaced by the
-/// smallest one around them; in the order of the first parameter.
+/// For each box the index of a box of its group: of those that are connected by boxes that touch each other, or are no
+/// farther apart than the gaps.
 #[inline]
-pub(super) fn boxes(mut boxes: Vec<Box2>, gaps: [f64; 2]) -> Vec<Box2> {
-    // One that has grown may touch one that ended before, which the next round sees.
-    while boxes.len() > 1 {
-        let count = boxes.len();
-        boxes = round(boxes, gaps);
-        if boxes.len() == count {
-            break;
+pub(super) fn groups(boxes: &[Box2], gaps: [f64; 2]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_unstable_by(|&i, &j| boxes[i][0][0].total_cmp(&boxes[j][0][0]));
+    let mut group: Vec<usize> = (0..boxes.len()).collect();
+    // Those that have not ended below the first parameter of the next one.
+    let mut open: Vec<usize> = Vec::new();
+    for i in order {
+        let next = boxes[i];
+        open.retain(|&j| boxes[j][0][1] + gaps[0] >= next[0][0]);
+        for &j in &open {
+            let other = boxes[j][1];
+            if next[1][0] <= other[1] + gaps[1] && other[0] <= next[1][1] + gaps[1] {
+                let [a, b] = [i, j].map(|k| root(&mut group, k));
+                group[a] = b;
+            }
         }
+        open.push(i);
     }
-    boxes
+    for i in 0..group.len() {
+        group[i] = root(&mut group, i);
+    }
+    group
 }
 
-/// From the lowest first parameter up. The boxes at one first parameter do not touch each other, so they are apart in
-/// the second one, and sorted by it.
+/// The box that stands for a group, which shortens the way to it.
 #[inline]
-fn round(mut boxes: Vec<Box2>, gaps: [f64; 2]) -> Vec<Box2> {
-    boxes.sort_unstable_by(|a, b| a[0][0].total_cmp(&b[0][0]).then(a[1][0].total_cmp(&b[1][0])));
-    let mut done = Vec::with_capacity(boxes.len());
-    let mut open: BTreeMap<i64, Box2> = BTreeMap::new();
-    // Where the open ones end; some of these are parts of others by then.
-    let mut ends: BTreeSet<(i64, i64)> = BTreeSet::new();
-    for mut next in boxes {
-        while let Some(&(end, start)) = ends.first() {
-            let ended = open.get(&start).filter(|other| key(other[0][1]) == end);
-            if let Some(&other) = ended {
-                if next[0][0] <= other[0][1] + gaps[0] {
-                    break;
-                }
-                done.push(other);
-                open.remove(&start);
-            }
-            ends.pop_first();
-        }
-        // The last one that does not begin above it is the only one that it can touch first.
-        while let Some((&start, &other)) = open.range(..=key(next[1][1] + gaps[1])).next_back() {
-            if next[1][0] > other[1][1] + gaps[1] {
-                break;
-            }
-            open.remove(&start);
-            for (side, other) in next.iter_mut().zip(other) {
-                *side = [side[0].min(other[0]), side[1].max(other[1])];
-            }
-        }
-        ends.insert((key(next[0][1]), key(next[1][0])));
-        open.insert(key(next[1][0]), next);
+fn root(group: &mut [usize], mut i: usize) -> usize {
+    while group[i] != i {
+        group[i] = group[group[i]];
+        i = group[i];
     }
-    done.extend(open.into_values());
-    done.sort_unstable_by(|a, b| a[0][0].total_cmp(&b[0][0]).then(a[1][0].total_cmp(&b[1][0])));
-    done
-}
-
-/// A number of the order of a float, that of `total_cmp`; both zeros have the same.
-#[inline]
-fn key(x: f64) -> i64 {
-    let bits = (x + 0.0).to_bits().cast_signed();
-    bits ^ ((bits >> 63).cast_unsigned() >> 1).cast_signed()
+    i
 }
 
 #[cfg(test)]
@@ -103,27 +78,22 @@ mod tests {
         (0..2).all(|c| a[c][0] <= b[c][1] + gaps[c] && b[c][0] <= a[c][1] + gaps[c])
     }
 
-    /// Any two that touch, until there are no such two.
-    fn one_by_one(mut boxes: Vec<Box2>, gaps: [f64; 2]) -> Vec<Box2> {
-        'again: loop {
-            for i in 0..boxes.len() {
-                for j in 0..i {
-                    if touch(&boxes[i], &boxes[j], gaps) {
-                        let other = boxes.swap_remove(i);
-                        for (side, other) in boxes[j].iter_mut().zip(other) {
-                            *side = [side[0].min(other[0]), side[1].max(other[1])];
-                        }
-                        continue 'again;
-                    }
+    /// The smallest index of each group, one pair after the other.
+    fn one_by_one(boxes: &[Box2], gaps: [f64; 2]) -> Vec<usize> {
+        let mut group: Vec<usize> = (0..boxes.len()).collect();
+        for i in 0..boxes.len() {
+            for j in 0..i {
+                if touch(&boxes[i], &boxes[j], gaps) {
+                    let (from, to) = (group[i].max(group[j]), group[i].min(group[j]));
+                    group.iter_mut().filter(|g| **g == from).for_each(|g| *g = to);
                 }
             }
-            boxes.sort_by(|a, b| a[0][0].total_cmp(&b[0][0]).then(a[1][0].total_cmp(&b[1][0])));
-            return boxes;
         }
+        group
     }
 
     #[test]
-    fn boxes_as_one_by_one() {
+    fn groups_as_one_by_one() {
         let state = &mut 1;
         let mut several = 0;
         for round in 0..3000 {
@@ -136,9 +106,13 @@ mod tests {
                     })
                 })
                 .collect();
-            let merged = boxes(list.clone(), [0.5, 0.0]);
-            several += usize::from(merged.len() > 1 && merged.len() < list.len());
-            assert_eq!(merged, one_by_one(list, [0.5, 0.0]));
+            let found = groups(&list, [0.5, 0.0]);
+            let smallest = |i: usize| (0..list.len()).find(|&j| found[j] == found[i]).unwrap();
+            let found: Vec<usize> = (0..list.len()).map(smallest).collect();
+            let expected = one_by_one(&list, [0.5, 0.0]);
+            assert_eq!(found, expected);
+            let count = expected.iter().enumerate().filter(|(i, g)| i == *g).count();
+            several += usize::from(count > 1 && count < list.len());
         }
         assert!(several > 500, "{several}");
     }

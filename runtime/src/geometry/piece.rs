@@ -180,6 +180,18 @@ impl CurvePiece {
         part
     }
 
+    /// The piece with the degree raised to `degree`, which is not lower than its own.
+    #[inline]
+    pub(crate) fn elevated_to(&self, degree: usize) -> Self {
+        let mut coefficients = Vec::with_capacity(self.coefficients.len() / self.len.max(1) * (degree + 1));
+        let mut elevated = vec![0.0; degree + 1];
+        for list in self.coefficients.chunks_exact(self.len.max(1)) {
+            bernstein::elevate(list, &mut elevated);
+            coefficients.extend_from_slice(&elevated);
+        }
+        Self { coefficients: Coefficients::from(coefficients), len: degree + 1, ..*self }
+    }
+
     /// The piece over another domain.
     #[inline]
     pub(crate) fn over(self, domain: [f64; 2]) -> Self {
