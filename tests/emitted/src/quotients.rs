@@ -31,7 +31,7 @@ const _: () = basis_runtime::generated::unchanged(
 ///
 /// `b[0]`: cut off at 0, below which only rounding could take what is proved nonnegative.
 ///
-/// Rounding errors of the values, proved to be at most: `b[0]`: 36.23 ε of the value; `b[1]`: 44.24 ε of the value; `b[2]`: 17.51 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
+/// Rounding errors of the values, proved to be at most: `b[0]`: 36.24 ε of the value; `b[1]`: 44.25 ε of the value; `b[2]`: 17.51 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
 ///
 /// # Claims
 ///
@@ -145,8 +145,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Swing<S> {
     type Bernstein<T: Copy> = [T; 6];
     const NAME: &'static str = "Swing";
     const ROUNDING: &'static [basis_runtime::Rounding] = &[
-        basis_runtime::Rounding::Relative(36.23),
-        basis_runtime::Rounding::Relative(44.24),
+        basis_runtime::Rounding::Relative(36.24),
+        basis_runtime::Rounding::Relative(44.25),
         basis_runtime::Rounding::Relative(17.51),
     ];
     #[inline]
