@@ -19,7 +19,7 @@
 //! has the ends of a domain in two parts instead of three.
 
 use super::exact::{is_float, is_power_of_two};
-use super::{Inputs, rest};
+use super::{Inputs, least_multiple, rest};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
@@ -159,9 +159,7 @@ fn inputs(family: &Family, steps: &Steps, coordinates: &[Rational; 2]) -> Option
 /// With what is of higher order, rounded up to a number of few digits.
 fn in_all(weight: &Rational) -> Rational {
     let small = &(weight * &rest::unit()) * &Rational::from(16);
-    let most = weight * &(&Rational::ONE + &small);
-    let parts = Rational::from(256);
-    -&(&(-&(&most * &parts)).floor() * &parts.recip().unwrap_or(Rational::ONE))
+    least_multiple(&(weight * &(&Rational::ONE + &small)), 256)
 }
 
 /// A tangent x, or 1 − x, or 1 + x, with how many u it is off.

@@ -172,7 +172,7 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
         }
         let (count, whole) = (family.functions.len(), work.left());
         let mut bounds = Vec::new();
-        // A hard function takes nothing that the easy ones after it need.
+        // A hard function takes at most two fifths of the work, or its part of what is left for it and those after it.
         for k in 0..count {
             let (left, others) = (work.left(), u64::try_from(count - k).unwrap_or(u64::MAX));
             let share = (left / others).max(left.min(2 * whole / 5));
@@ -317,9 +317,14 @@ fn rounded_up(parts: Parts, error: fn(Rational) -> Error, least: &Rational) -> B
             largest = bound.clone();
         }
     }
-    let hundredths = -&(-&(&largest * &Rational::from(50))).floor();
-    let error = error(&hundredths * &Rational::new(1, 100));
+    let error = error(least_multiple(&(&largest * &Rational::new(1, 2)), 100));
     Bound { error, cells: parts.into_iter().map(|(_, part)| part).listed() }
+}
+
+/// The least multiple of 1/`parts` that is not below x.
+fn least_multiple(x: &Rational, parts: i64) -> Rational {
+    let count = -&(-&(x * &Rational::from(parts))).floor();
+    &count * &Rational::new(1, parts)
 }
 
 /// The variables that stand for the inputs of steps.

@@ -13,7 +13,7 @@ use std::rc::Rc;
 use super::cell::Cell;
 use super::conditions::{Conditions, Shares, common_denominator, over};
 use super::exact::{Exact, Share};
-use super::{Part, rest};
+use super::{Part, least_multiple, rest};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
@@ -189,8 +189,7 @@ fn cancellation(
     if size == value {
         return Some(Rational::ONE);
     }
-    let times = conditions.cell.ratio(&size, &value, work)?;
-    let times = -&(-&times).floor();
+    let times = least_multiple(&conditions.cell.ratio(&size, &value, work)?, 1);
     conditions.add(&value.scale(&times) - &size);
     Some(times)
 }
