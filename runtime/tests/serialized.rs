@@ -131,7 +131,11 @@ fn bases_forms_and_curves() {
 
     let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     again(nearest);
-    let meetings: Vec<Meeting<P>> = curve().intersections(&curve(), 1e-3).unwrap();
+    // Few digits: a reader of numbers may miss the last of seventeen.
+    let [rising, falling] =
+        [[[0.0; 3], [4.0, 4.0, 0.0]], [[0.0, 4.0, 0.0], [4.0, 0.0, 0.0]]].map(Bezier::from_points);
+    let meetings: Vec<Meeting<P>> = rising.intersections(&falling, 1e-3).unwrap();
+    assert_eq!(meetings.len(), 1);
     let met: Vec<PlaneMeeting<P>> = curve().plane_intersections([0.0; 3], [1.0, 0.0, 0.0]).unwrap();
     let ruled = SurfaceOfRevolution::about_x(&Bezier::from_points([[0.0, 1.0], [4.0, 1.0]]), 6.0).unwrap();
     let pierced: Vec<SurfaceMeeting<P>> =
