@@ -535,7 +535,7 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
     if denom.is_one() { bracket(numer) } else { format!("{}/{below}", bracket(numer)) }
 }
 
-/// What the bounds of [`rounding`] assume of elementary functions; `None` where they need none.
+/// What the bounds of [`crate::rounding`] assume of elementary functions; `None` where they need none.
 pub fn rounding_assumes(family: &Family) -> Option<&'static str> {
     rounding::needs_functions(family).then_some(rounding::ASSUMED)
 }
