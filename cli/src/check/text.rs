@@ -13,6 +13,18 @@ use crate::domain;
 use crate::name::count;
 use crate::table::{self, BAD, FAINT, GOOD, Mark, OPEN, Row, STRONG, styled};
 
+/// A reason is cut after this many characters: every row would be as long, and the whole of it is in the message about the
+/// claim and in the JSON.
+const LONGEST: usize = 1000;
+
+fn cut(mut reason: String) -> String {
+    if let Some((end, _)) = reason.char_indices().nth(LONGEST) {
+        reason.truncate(end);
+        reason.push('…');
+    }
+    reason
+}
+
 /// One file: its path, and a table for each family.
 pub(crate) fn file(outcome: &Outcome, width: Option<u16>) -> String {
     let mut text = format!("{}\n\n", styled(FAINT, &outcome.path));
@@ -36,7 +48,7 @@ fn family(items: &[Decided], width: Option<u16>) -> String {
         .into_iter()
         .map(|row| {
             let (mark, verdict) = verdict(row.standing);
-            let mut cells = vec![row.claim, verdict.to_string(), row.reason];
+            let mut cells = vec![row.claim, verdict.to_string(), cut(row.reason)];
             if condensed {
                 cells.push(time(row.worst));
             }

@@ -26,7 +26,7 @@ const MAX_REDUCTION: u64 = 4_000_000;
 /// The most term products in all expansions of a run: all families in all their orders, and all claims.
 const RUN_WORK: u64 = 15_000_000;
 /// The most work of a run to bring quotients into lowest terms.
-const RUN_REDUCTION: u64 = 200_000_000;
+const RUN_REDUCTION: u64 = 120_000_000;
 /// The most parts of formulas that are evaluated in a run, the passes of loops included.
 const RUN_STEPS: u64 = 8_000_000;
 /// The most families of a run, each order counted.

@@ -173,7 +173,10 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
         let (count, whole) = (family.functions.len(), work.left());
         let mut bounds = Vec::new();
         // A hard function takes at most two fifths of the work, or its part of what is left for it and those after it.
+        let steps: u64 = exact.iter().map(|span| span.steps.steps.len() as u64).sum();
         for k in 0..count {
+            // Which steps a function needs is found among those of all functions.
+            work.spend(steps)?;
             let (left, others) = (work.left(), u64::try_from(count - k).unwrap_or(u64::MAX));
             let share = (left / others).max(left.min(2 * whole / 5));
             bounds.push(with_share(work, share, &mut |own| value(&mut exact, k, own)));

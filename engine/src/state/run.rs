@@ -8,7 +8,7 @@ use crate::claim::Claim;
 use crate::subject::Subject;
 
 /// Units of work for all decisions of a run.
-const UNITS: u64 = 100_000_000;
+const UNITS: u64 = 60_000_000;
 
 /// What is left for claims however much it took to expand them.
 const LEAST: u64 = UNITS / 10;

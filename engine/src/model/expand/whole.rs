@@ -1,6 +1,6 @@
 //! A family on its whole domain, of one span or of several, and its claims.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use basis_prover::collections::sort::sort_by_key;
@@ -214,6 +214,14 @@ fn apart<'a>(
     family: &Family,
 ) -> Vec<Apart> {
     let mut all: Vec<Apart> = Vec::new();
+    // The groups of statements by their numbers: whole groups would be compared for every statement.
+    let groups = &family.analytic.finer;
+    let group_of: BTreeMap<usize, usize> = groups
+        .iter()
+        .enumerate()
+        .flat_map(|(k, group)| group.iter().map(move |number| (*number, k)))
+        .collect();
+    let mut known: BTreeMap<(Given, Option<usize>), usize> = BTreeMap::new();
     for (number, statement) in written.statements.iter().enumerate() {
         let StatementKind::Claim(syntax::Claim { kind, .. }) = &statement.kind else { continue };
         let given = match kind {
@@ -222,21 +230,20 @@ fn apart<'a>(
             }
             _ => Given::new(),
         };
-        let finer = family.analytic.finer.iter().find(|group| group.contains(&number) && given.is_empty());
-        let with = Anew { given, statements: finer.cloned().unwrap_or_default() };
-        if with == Anew::default() {
+        let group = group_of.get(&number).copied().filter(|_| given.is_empty());
+        if given.is_empty() && group.is_none() {
             continue;
         }
-        if !all.iter().any(|a| a.with == with) {
+        let at = *known.entry((given.clone(), group)).or_insert(all.len());
+        if at == all.len() {
+            let statements = group.and_then(|k| groups.get(k)).cloned().unwrap_or_default();
+            let with = Anew { given, statements };
             let order = family.order.iter().map(|(_, value)| *value).listed();
-            let at = (unit, family.source);
-            let (there, errors) = anew(library, at, written, &order, &with);
+            let (there, errors) = anew(library, (unit, family.source), written, &order, &with);
             let family = there.filter(|_| errors.is_empty()).map(Rc::new);
-            all.push(Apart { with: with.clone(), family, errors, numbers: BTreeSet::new() });
+            all.push(Apart { with, family, errors, numbers: BTreeSet::new() });
         }
-        if let Some(same) = all.iter_mut().find(|a| a.with == with) {
-            same.numbers.insert(number);
-        }
+        all[at].numbers.insert(number);
     }
     all
 }

@@ -17,6 +17,9 @@ use basis_prover::collections::map::SortedMap;
 /// More Bernstein coefficients, for all functions together, are not emitted.
 const MAX_COEFFICIENTS: usize = 1 << 16;
 
+/// Units of work for a term of a form.
+const TERM: u64 = 20;
+
 /// All functions of a family on a simplex or a box, rewritten for evaluation.
 #[derive(Clone, Debug)]
 pub struct PatchForm {
@@ -205,38 +208,58 @@ fn degrees(numer: &Poly, groups: &[Group]) -> Vec<u32> {
 
 /// The coefficients, polynomials in the shape parameters, of the monomials in all coordinates, homogeneous of these
 /// degrees.
+///
+/// One group after another, with like terms put together: a product over n intervals has 2ⁿ coefficients, and all of them
+/// at once would be made of 3ⁿ terms.
 fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> SortedMap<Vec<u32>, Poly> {
-    let mut result: SortedMap<Vec<u32>, Vec<(Monomial, Rational)>> = SortedMap::new();
-    for (monomial, c) in numer.terms() {
-        let mut shape = monomial.clone();
-        // The term times the missing powers of the sums of the groups.
-        let mut terms: Vec<(Vec<u32>, Rational)> = vec![(Vec::new(), c.clone())];
-        for (group, degree) in groups.iter().zip(degrees) {
-            let mut own: Vec<u32> = group.vars.mapped(|v| u32::from(monomial.exponent(*v)));
-            shape = group.vars.iter().fold(shape, |m, v| m.with_exponent(*v, 0));
-            let missing = degree - own.iter().sum::<u32>();
-            own.push(0);
-            let powers = multi_indices(own.len(), missing);
-            let mut next = Vec::new();
-            for (start, factor) in &terms {
-                for power in &powers {
-                    let raised = own.iter().zip(power).map(|(a, b)| a + b);
-                    let exponents: Vec<u32> = start.iter().copied().chain(raised).listed();
-                    next.push((exponents, factor * &multinomial(power)));
-                }
+    // The exponents in the coordinates of the groups so far, what is left of the monomial, and a number.
+    let mut terms: Vec<(Vec<u32>, Monomial, Rational)> =
+        numer.terms().map(|(m, c)| (Vec::new(), m.clone(), c.clone())).listed();
+    for (group, degree) in groups.iter().zip(degrees) {
+        if *degree == 0 {
+            for (start, ..) in &mut terms {
+                start.resize(start.len() + group.vars.len() + 1, 0);
             }
-            terms = next;
+            continue;
         }
-        for (exponents, factor) in terms {
-            result.get_or_insert_with(exponents, Vec::new).push((shape.clone(), factor));
+        let mut next = Vec::new();
+        for (start, monomial, factor) in &terms {
+            let own: Vec<u32> = group.vars.mapped(|v| u32::from(monomial.exponent(*v)));
+            let rest = group.vars.iter().fold(monomial.clone(), |m, v| m.with_exponent(*v, 0));
+            // The term times the missing power of the sum of the group.
+            let missing = degree - own.iter().sum::<u32>();
+            for power in multi_indices(own.len() + 1, missing) {
+                let raised = own.iter().chain(&[0]).zip(&power).map(|(a, b)| a + b);
+                let exponents = start.iter().copied().chain(raised).listed();
+                next.push((exponents, rest.clone(), factor * &multinomial(&power)));
+            }
         }
+        basis_prover::charge(TERM * next.len() as u64);
+        terms = like_terms(next);
+    }
+    let mut result: SortedMap<Vec<u32>, Vec<(Monomial, Rational)>> = SortedMap::new();
+    for (exponents, monomial, factor) in terms {
+        result.get_or_insert_with(exponents, Vec::new).push((monomial, factor));
     }
     let mut coefficients = SortedMap::new();
     for (exponents, terms) in result {
         coefficients.insert(exponents, Poly::from_terms(terms));
     }
-    coefficients.retain(|_, c| !c.is_zero());
     coefficients
+}
+
+/// Terms with the same exponents and the same monomial put together, in the order of their exponents.
+fn like_terms(mut terms: Vec<(Vec<u32>, Monomial, Rational)>) -> Vec<(Vec<u32>, Monomial, Rational)> {
+    terms.sort_by(|a, b| (&a.0, &a.1).cmp(&(&b.0, &b.1)));
+    terms.dedup_by(|next, first| {
+        let is_like = next.0 == first.0 && next.1 == first.1;
+        if is_like {
+            first.2 += &next.2;
+        }
+        is_like
+    });
+    terms.retain(|(.., factor)| !factor.is_zero());
+    terms
 }
 
 /// Takes out the powers of the coordinates and the numeric content.

@@ -29,6 +29,9 @@ pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String,
     let mut differences = Vec::new();
     for motion in motions(family) {
         for (k, function) in family.functions.iter().enumerate() {
+            // Its partner is looked for among all functions, and its terms are moved.
+            let terms = function.value.numer().len() + function.value.denom().len();
+            work.spend((family.functions.len() / 2 + 10 * terms) as u64)?;
             let Some(moved_index) = motion.index(&function.index) else {
                 if let Some(moved) = motion.apply(&function.value) {
                     differences.push(unnumbered(family, &motion, k, &moved, work)?);

@@ -33,6 +33,9 @@ const COEFFICIENTS: &str = "table of coefficients";
 /// What is evaluated where there is no combination to show.
 const SQUARES: &str = "sum of the squares of the maximal minors";
 
+/// Units of work for an entry of a table.
+const ENTRY: u64 = 20;
+
 /// Functions as the rows of a matrix of their coefficients.
 #[derive(Clone, Debug)]
 pub struct Table {
@@ -295,6 +298,8 @@ fn table_of_spans(family: &Family) -> Table {
 fn coefficient_table(family: &Family) -> Table {
     // An angle beside its sine is one more variable of the domain.
     let numerators = family.numerators();
+    // A table is made for every claim, and kept with its proof.
+    basis_prover::charge(numerators.iter().map(|p| ENTRY * p.len() as u64).sum());
     let (over_domain, constant): (Vec<&Angle>, Vec<&Angle>) =
         family.analytic.angles.iter().partition(|a| family.domain.iter().any(|p| p.var == a.var));
     let mixed = over_domain.iter().any(|a| numerators.iter().any(|p| p.depends_on(a.itself)));

@@ -107,7 +107,7 @@ fn half(x: &Rational) -> Rational {
 fn spend_value(p: &Univariate, x: &Rational, work: &mut Work) -> Option<()> {
     let n = p.degree() as u64;
     work.spend_fractions(x.bits())?;
-    work.spend(10 + 2 * n * weight(p.max_bits() + n * x.bits()))?;
+    work.spend(30 + 6 * n * weight(p.max_bits() + n * x.bits()))?;
     p.spend_sign(x, work)
 }
 

@@ -10,6 +10,9 @@
 //! A polynomial of this degree that vanishes there is therefore irreducible, and one of a smaller degree that vanishes there
 //! is 0.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use super::edges::primitive;
 use super::limits::{Bound, Limits};
 use super::numbers::{rounded, tangent_bounds};
@@ -94,11 +97,25 @@ fn with_all(before: Option<i64>, turns: &[Rational]) -> Option<i64> {
 fn number(var: Var, parts: i64) -> Option<Algebraic> {
     let part = Rational::new(1, parts);
     let minimal = primitive(var, &part).filter(|p| i64::from(p.degree(var)) == degree(parts))?;
-    let (low, high) = pi_bounds();
     // It is the least positive zero.
+    let (low, high) = bounds(parts)?;
+    Algebraic::new(&Univariate::from_poly(&minimal, var)?, low, high)
+}
+
+/// Numbers below and above tan(π/n), which are found once: a spec may have thousands of families with the same angle.
+fn bounds(parts: i64) -> Option<(Rational, Rational)> {
+    thread_local! {
+        static KNOWN: RefCell<BTreeMap<i64, (Rational, Rational)>> = const { RefCell::new(BTreeMap::new()) };
+    }
+    if let Some(known) = KNOWN.with_borrow(|all| all.get(&parts).cloned()) {
+        return Some(known);
+    }
+    let part = Rational::new(1, parts);
+    let (low, high) = pi_bounds();
     let (low, _) = tangent_bounds(&rounded(&(low * &part), false))?;
     let (_, high) = tangent_bounds(&rounded(&(high * &part), true))?;
-    Algebraic::new(&Univariate::from_poly(&minimal, var)?, low, high)
+    KNOWN.with_borrow_mut(|all| all.insert(parts, (low.clone(), high.clone())));
+    Some((low, high))
 }
 
 /// The degree of tan(π/n) for an even n > 4.
