@@ -99,10 +99,10 @@ fn family_heading(families: &[&Family]) -> String {
     }
     let functions = range(families, |family| family.functions.len());
     let noun = if functions == "1" { "function" } else { "functions" };
-    let several = domain::degrees(family);
-    let degrees: Vec<String> = (0..several.len())
-        .map(|k| range(families, |f| domain::degrees(f).get(k).copied().unwrap_or(0)))
-        .collect();
+    let all: Vec<Vec<u32>> = families.iter().map(|family| domain::degrees(family)).collect();
+    let factors = all.first().map_or(0, Vec::len);
+    let degrees: Vec<String> =
+        (0..factors).map(|k| range(&all, |degrees| degrees.get(k).copied().unwrap_or(0))).collect();
     let degrees = if degrees.len() == 1 { degrees.concat() } else { format!("({})", degrees.join(", ")) };
     let mut facts = vec![
         format!("{functions} {noun} of degree {degrees}"),
@@ -119,8 +119,8 @@ fn family_heading(families: &[&Family]) -> String {
 }
 
 /// `4`, or `2 to 31` where the orders differ.
-fn range<T: Ord + ToString>(families: &[&Family], measure: impl Fn(&Family) -> T) -> String {
-    let values = || families.iter().map(|family| measure(family));
+fn range<F, T: Ord + ToString>(families: &[F], measure: impl Fn(&F) -> T) -> String {
+    let values = || families.iter().map(&measure);
     match (values().min(), values().max()) {
         (Some(low), Some(high)) if low < high => format!("{} to {}", low.to_string(), high.to_string()),
         (Some(low), _) => low.to_string(),
