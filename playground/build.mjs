@@ -32,7 +32,7 @@ function compact(bytes) {
   module.setFeatures(binaryen.Features.All);
   module.runPasses([
     'duplicate-function-elimination', 'remove-unused-module-elements', 'dae', 'remove-unused-module-elements', 'precompute-propagate',
-    'rse', 'vacuum', 'reorder-locals',
+    'rse', 'vacuum', 'optimize-instructions', 'reorder-locals',
   ]);
   const smaller = module.emitBinary();
   module.dispose();

@@ -23,11 +23,11 @@ const OWNER: u32 = 0xffc0;
 const COUNT: u32 = 0x3f;
 /// One half, never seen.
 const FRESH: u32 = 0x8000_0000;
-const LIMIT: u32 = 40;
+const LIMIT: u32 = 24;
 /// Counts with weights of their own.
 const STEPS: usize = 16;
 /// How far weights move.
-const LEARN: f32 = 0.02;
+const LEARN: f32 = 0.022;
 /// Weights at first.
 const WEIGHT: f32 = 0.35;
 
@@ -41,8 +41,7 @@ const fn step(n: usize) -> u8 {
         0..8 => n as u8,
         8..12 => 8,
         12..18 => 9,
-        18..32 => 10,
-        _ => 11,
+        _ => 10,
     }
 }
 

@@ -236,7 +236,7 @@ impl<'a, B: Bytes> Walk<'a, B> {
         let h3 = both(h2, o3);
         let h4 = both(h3, o4);
         let near = both(s1, s2);
-        let contexts = [h4, both(h4, both(o5, o6)), near];
+        let contexts = [both(h4, both(o5, o6)), s1, near];
         let (sign, op) = self.operation(contexts)?;
         let sign = u32::from(sign);
         push(&mut self.operations, sign);
