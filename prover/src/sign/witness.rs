@@ -220,6 +220,9 @@ fn candidates(range: &Range) -> Vec<Rational> {
     list
 }
 
+/// The work of one interval between roots, besides that of its numbers.
+const CELL: u64 = 40;
+
 /// The simplest value of one coordinate, the others kept, with which the point contradicts the claim.
 fn simplest_coordinate(
     problem: &Problem,
@@ -234,6 +237,7 @@ fn simplest_coordinate(
         work.spend_at(&poly, *v, x)?;
         poly = poly.at(*v, x);
     }
+    problem.spend_value(8, work)?;
     let p = Univariate::from_poly(&poly, var)?.primitive();
     let range = problem.range(var);
     let bad = |x: &Rational| range.contains(x) && !relation.holds(&Rational::from(i64::from(p.sign_at(x))));
@@ -250,13 +254,14 @@ fn simplest_coordinate(
             let (before, after) = (cell.checked_sub(1).and_then(|k| roots.get(k)), roots.get(cell));
             for root in before.into_iter().chain(after) {
                 spend_simplest(root.low(), root.high(), work)?;
-                p.spend_sign(root.low(), work)?;
             }
+            work.spend(CELL)?;
             // The widest interval that the cell can be: if the simplest number there is bad, there is none simpler.
             let widest = simplest_between(
                 before.map(Root::low).or(range.low.value()),
                 after.map(Root::high).or(range.high.value()),
             );
+            p.spend_sign(&widest, work)?;
             if bad(&widest) {
                 found.push(widest);
             } else if found.iter().all(|f| size(f) > size(&widest)) {
@@ -264,6 +269,7 @@ fn simplest_coordinate(
                     before.map(Root::high).or(range.low.value()),
                     after.map(Root::low).or(range.high.value()),
                 );
+                p.spend_sign(&inside, work)?;
                 if bad(&inside) {
                     sure &= size(&inside) <= size(&widest);
                     found.push(inside);

@@ -289,6 +289,8 @@ fn claims_count_for_what_they_take() {
     let high = "b[i] = binomial(60, i)*t^i*(1 - t)^(60 - i) for i in 0..=60;";
     let unit = |functions: &str| format!("family F {{ domain 0 <= t <= 1; {functions} ");
     let assumed = "shape -1 <= x <= 1, -1 <= y <= 1; assume x^2 + y^2 <= 1; b[0] = t;";
+    let many = "b[i] = t + i for i in 0..=511;";
+    let quarter = |functions: &str| format!("family F {{ domain 0 <= t <= pi/2; {functions} ");
     for (family, claim, least) in [
         (unit("b[0] = t;"), "prove (t^3 - 1/3)^2 >= 1/10^20;", 5_000),
         (unit("b[0] = t;"), "prove (t - 3/7)^40 >= 0;", 5_000),
@@ -297,6 +299,10 @@ fn claims_count_for_what_they_take() {
         (unit(high), "prove symmetric;", 50_000),
         (unit(high), "prove partition_of_unity;", 5_000),
         (unit(assumed), "prove (x*t + y)^2 <= 2;", 5_000),
+        (unit(many), "prove rounding <= 50;", 50_000),
+        (unit(many), "refute symmetric;", 50_000),
+        (quarter("b[0] = sin(t);"), "prove sin(t) + cos(t) <= 2*sin(pi/4);", 5_000),
+        (quarter("b[0] = sin(t);"), "prove at t = pi/4 { b[0] = sin(pi/4); }", 1_000),
     ] {
         let units = |count: usize| {
             let spec = format!("{family}{}}}", claim.repeat(count));
