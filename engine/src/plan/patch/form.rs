@@ -19,6 +19,8 @@ const MAX_COEFFICIENTS: usize = 1 << 16;
 
 /// Units of work for a term of a form.
 const TERM: u64 = 20;
+/// Units of work for a tuple of exponents.
+const TUPLE: u64 = 2;
 
 /// All functions of a family on a simplex or a box, rewritten for evaluation.
 #[derive(Clone, Debug)]
@@ -303,6 +305,7 @@ fn factored(
 pub fn exponents(groups: &[Group], degrees: &[u32]) -> Vec<Vec<u32>> {
     groups.iter().zip(degrees).fold(vec![Vec::new()], |all, (group, degree)| {
         let own = multi_indices(group.vars.len() + 1, *degree);
+        basis_prover::charge(TUPLE * (all.len() * own.len()) as u64);
         all.iter()
             .flat_map(|start: &Vec<u32>| own.iter().map(move |e| [start.as_slice(), e].concat()))
             .listed()
