@@ -199,11 +199,12 @@ impl Budget {
         let too_large = |Spent| formula("has denominators that take too much work to combine");
         let mut work = self.reduction.borrow_mut();
         let before = work.left();
-        let result = operation(&mut work).map_err(too_large)?;
+        let result = operation(&mut work).map_err(too_large);
+        // A formula that is refused counts for what it took until then.
         let spent = before - work.left();
         let what = "units of work to bring its quotients into lowest terms";
         self.run.take(&self.run.reduction, spent, RUN_REDUCTION, what)?;
-        Ok(result)
+        result
     }
 
     /// Counts work; an error when none is left.
@@ -415,20 +416,26 @@ mod tests {
         assert!(found > 15, "the specs are missing");
     }
 
-    /// What is done once for every pair of things is counted: conditions on shape values and the variables in them, claims with
-    /// different arguments of sines, denominators.
+    /// What is done once for every pair of things is counted, conditions on shape values and the variables in them, claims with
+    /// different arguments of sines, denominators; and so is the work of claims that are refused for it.
     #[test]
-    fn work_that_grows_with_the_square_is_counted() {
+    fn work_that_grows_with_the_text_is_counted() {
         let chain = "family F { domain 0 <= t <= 1; shape 0 <= x[i] <= x[i + 1] for i in 1..=50; b[0] = t; }";
         let repeat = |claim: fn(usize) -> String| (1..=200).map(claim).collect::<String>();
         let sines = repeat(|k| format!("prove sin(θ)^2 + {k}*sin({k}*θ) <= {k} + 1;"));
         let sines = format!("family G {{ domain 0 <= θ <= pi/2; b[0] = sin(θ); {sines} }}");
         let quotients = repeat(|k| format!("prove 1/(t + {k}) > 0;"));
         let quotients = format!("family H {{ domain 0 <= t <= 1; b[0] = t; {quotients} }}");
-        let parts: [(&str, Part, u64, u64); 3] = [
+        let refused = "prove b[0]^6 >= b[1]^5;".repeat(5);
+        let refused = format!(
+            "family K {{ domain 0 <= t <= 1; shape 0 < x <= 3; let w = (1 - t)^2 + x*t*(1 - t) + t^2;
+            b[0] = (1 - t)^2/w; b[1] = x*t*(1 - t)/w; b[2] = t^2/w; {refused} }}"
+        );
+        let parts: [(&str, Part, u64, u64); 4] = [
             (chain, |run| &run.decisions, RUN_DECISIONS, 50_000),
             (&sines, |run| &run.steps, RUN_STEPS, 200 * 200 / 2),
             (&quotients, |run| &run.decisions, RUN_DECISIONS, 200 * 1_500),
+            (&refused, |run| &run.reduction, RUN_REDUCTION, 5 * MAX_REDUCTION),
         ];
         for (spec, part, limit, least) in parts {
             let library =

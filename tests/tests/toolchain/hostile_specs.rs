@@ -290,6 +290,10 @@ fn claims_count_for_what_they_take() {
     let unit = |functions: &str| format!("family F {{ domain 0 <= t <= 1; {functions} ");
     let assumed = "shape -1 <= x <= 1, -1 <= y <= 1; assume x^2 + y^2 <= 1; b[0] = t;";
     let many = "b[i] = t + i for i in 0..=511;";
+    let box_of = |sides: usize, functions: &str| {
+        let sides: Vec<String> = (0..sides).map(|k| format!("0 <= x{k} <= 1")).collect();
+        format!("family F {{ domain {}; {functions} ", sides.join(", "))
+    };
     let quarter = |functions: &str| format!("family F {{ domain 0 <= t <= pi/2; {functions} ");
     for (family, claim, least) in [
         (unit("b[0] = t;"), "prove (t^3 - 1/3)^2 >= 1/10^20;", 5_000),
@@ -301,6 +305,7 @@ fn claims_count_for_what_they_take() {
         (unit(assumed), "prove (x*t + y)^2 <= 2;", 5_000),
         (unit(many), "prove rounding <= 50;", 50_000),
         (unit(many), "refute symmetric;", 50_000),
+        (box_of(40, "b[i] = x0*x1*x2 for i in 0..=1;"), "prove symmetric;", 20_000),
         (quarter("b[0] = sin(t);"), "prove sin(t) + cos(t) <= 2*sin(pi/4);", 5_000),
         (quarter("b[0] = sin(t);"), "prove at t = pi/4 { b[0] = sin(pi/4); }", 1_000),
     ] {

@@ -29,9 +29,9 @@ pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String,
     let mut differences = Vec::new();
     for motion in motions(family) {
         for (k, function) in family.functions.iter().enumerate() {
-            // Its partner is looked for among all functions, and its terms are moved.
+            // Its partner is looked for among all functions, its terms are moved, all arguments are written down.
             let terms = function.value.numer().len() + function.value.denom().len();
-            work.spend((family.functions.len() / 2 + 10 * terms) as u64)?;
+            work.spend((family.functions.len() / 2 + 10 * (terms + family.domain.len())) as u64)?;
             let Some(moved_index) = motion.index(&function.index) else {
                 if let Some(moved) = motion.apply(&function.value) {
                     differences.push(unnumbered(family, &motion, k, &moved, work)?);
@@ -45,7 +45,7 @@ pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String,
             }
             let Some(moved) = motion.apply(&family.functions[other].value) else { continue };
             let (this, that) = (family.function_label(k), family.function_label(other));
-            let of = format!("{this} - {that}({})", motion.arguments.join(", "));
+            let of = format!("{this} - {that}({})", motion.arguments(family));
             differences.push((of, function.value.sub_within(&moved, work)?));
         }
     }
@@ -95,18 +95,18 @@ fn unnumbered(
 ) -> Option<(String, Fraction)> {
     let other = family.functions.iter().position(|f| f.value == *moved).unwrap_or(k);
     let (this, that) = (family.function_label(k), family.function_label(other));
-    let of = format!("{that} - {this}({})", motion.arguments.join(", "));
+    let of = format!("{that} - {this}({})", motion.arguments(family));
     Some((of, family.functions[other].value.sub_within(moved, work)?))
 }
 
 /// A motion of the domain onto itself with what it does to the indices.
 struct Motion {
-    /// New values of the independent variables.
+    /// New values of the independent variables that it moves.
     by: Vec<(Var, Poly)>,
     /// New values of variables that are angles, after the others.
     angles: Vec<(Var, Fraction)>,
-    /// The same for reading, all variables.
-    arguments: Vec<String>,
+    /// The same for reading, the dependent variable of a simplex included.
+    shown: Vec<(Var, String)>,
     /// The two places of an index that change: two equal ones are reversed, up to the last index; `None` when the
     /// indices are not those of the coordinates.
     places: Option<(usize, usize)>,
@@ -125,18 +125,28 @@ impl Motion {
         Some(moved)
     }
 
+    /// The new values of all domain variables in their order, for reading.
+    fn arguments(&self, family: &Family) -> String {
+        let shown = |var| self.shown.iter().find(|(v, _)| *v == var).map(|(_, text)| text.clone());
+        let all = family.domain_variables();
+        let all = all.map(|p| shown(p.var).unwrap_or_else(|| family.name_of(p).to_string())).listed();
+        all.join(", ")
+    }
+
     /// The new values of all domain variables in their order.
     #[cfg(any(test, feature = "tools"))]
     fn all_arguments(&self, family: &Family) -> Vec<Poly> {
-        let of =
-            |p: &Parameter| self.by.iter().filter(|(v, _)| *v == p.var).map(|(_, by)| by.clone()).listed();
+        let of = |p: &Parameter| {
+            let moved = self.by.iter().find(|(v, _)| *v == p.var);
+            moved.map_or_else(|| Poly::var(p.var), |(_, by)| by.clone())
+        };
         let mut all = Vec::new();
         for factor in family.factors() {
             let (independent, is_simplex) = match factor {
                 Factor::Interval(only) => (core::slice::from_ref(only), false),
                 Factor::Simplex(independent, _) => (independent, true),
             };
-            let own: Vec<Poly> = independent.iter().flat_map(of).listed();
+            let own: Vec<Poly> = independent.iter().map(of).listed();
             let rest = own.iter().fold(Poly::one(), |rest, p| &rest - p);
             all.extend(own);
             all.extend(is_simplex.then_some(rest));
@@ -191,7 +201,7 @@ fn motions(family: &Family) -> Vec<Motion> {
             Factor::Interval(variable) => all.extend(reversal(family, variable, place, &last)),
             Factor::Simplex(independent, dependent) => {
                 for k in 0..independent.len() {
-                    all.push(exchange(family, (independent, dependent), k, place, &last));
+                    all.push(exchange((independent, dependent), k, place, &last));
                 }
             }
         }
@@ -203,15 +213,9 @@ fn motions(family: &Family) -> Vec<Motion> {
     all
 }
 
-/// The names of all domain variables, or what stands in their places.
-fn arguments(family: &Family, by: &dyn Fn(&Parameter) -> Option<String>) -> Vec<String> {
-    family.domain_variables().map(|p| by(p).unwrap_or_else(|| family.name_of(p).to_string())).listed()
-}
-
 /// Two neighbouring coordinates of a simplex are exchanged, the independent ones followed by the dependent one; they begin
 /// at a place of the index.
 fn exchange(
-    family: &Family,
     (independent, dependent): (&[Parameter], &Parameter),
     k: usize,
     place: usize,
@@ -220,18 +224,11 @@ fn exchange(
     let mut moved: Vec<Poly> = independent.mapped(|p| Poly::var(p.var));
     moved.push(moved.iter().fold(Poly::one(), |rest, p| &rest - p));
     moved.swap(k, k + 1);
-    let pair = [&independent[k], independent.get(k + 1).unwrap_or(dependent)];
-    let by = family.domain.iter().map(|p| {
-        let own = independent.iter().position(|q| q.var == p.var);
-        (p.var, own.map_or_else(|| Poly::var(p.var), |j| moved[j].clone()))
-    });
+    let [this, that] = [&independent[k], independent.get(k + 1).unwrap_or(dependent)];
     Motion {
-        by: by.listed(),
+        by: independent.iter().zip(moved).skip(k).take(2).map(|(p, moved)| (p.var, moved)).listed(),
         angles: Vec::new(),
-        arguments: arguments(family, &|p| {
-            let at = pair.iter().position(|q| q.var == p.var)?;
-            Some(pair[1 - at].name.clone())
-        }),
+        shown: vec![(this.var, that.name.clone()), (that.var, this.name.clone())],
         places: Some((place + k, place + k + 1)),
         last: last.to_vec(),
     }
@@ -251,11 +248,10 @@ fn reversal(family: &Family, variable: &Parameter, place: usize, last: &[i64]) -
         (Some((_, itself)), _) => itself.display(&family.names),
         (None, _) => reversed.display(&family.names).to_string(),
     };
-    let own = |p: &Parameter| if p.var == variable.var { reversed.clone() } else { Poly::var(p.var) };
     Some(Motion {
-        by: family.domain.iter().map(|p| (p.var, own(p))).listed(),
+        by: vec![(variable.var, reversed)],
         angles,
-        arguments: arguments(family, &|p| (p.var == variable.var).then(|| shown.clone())),
+        shown: vec![(variable.var, shown)],
         places: Some((place, place)),
         last: last.to_vec(),
     })
