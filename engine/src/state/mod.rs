@@ -66,7 +66,7 @@ pub fn instances(
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
         Subject::Family(family) if matches!(claim.kind, crate::claim::ClaimKind::TotallyPositive) => {
-            family::minors(about(family, claim), given)
+            family::minors(about(family, claim), claim, given)
         }
         Subject::Family(family) if given.is_empty() => {
             let stated = family::refutable(about(family, claim), claim);

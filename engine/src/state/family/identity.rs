@@ -342,10 +342,16 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
     let here = if point.is_empty() { String::new() } else { format!("at {point} ") };
     let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
     if !matches!(witness.refutation().statement(), Statement::Zero { .. }) {
-        return vec![format!("`{of}` is {}{place}", witness.value_text())];
+        let mut all = vec![format!("`{of}` is {}{place}", witness.value_text())];
+        if matches!(kind, ClaimKind::TotallyPositive) {
+            all.push(String::from(
+                "of totally positive functions, and of their Wronskians in ascending order, none is negative",
+            ));
+        }
+        return all;
     }
     let expressions =
-        basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, work));
+        basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, false, work));
     let own = expressions.unwrap_or_default().into_iter().find(|(label, ..)| label == of);
     let difference = own.map_or_else(Fraction::zero, |(_, value, _)| value);
     let (readable, mut names) = in_variables(family, difference.clone());

@@ -16,10 +16,11 @@ mod rounding;
 mod spans;
 mod total;
 mod witness;
+mod wronskian;
 
 use std::rc::Rc;
 
-use basis_prover::{Coordinate, Failure, Method, Shown};
+use basis_prover::{Coordinate, Failure, Method, Shown, within};
 
 use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
@@ -51,6 +52,7 @@ pub use rounding::{point_error, point_name, value_errors};
 fn expressions(
     family: &Family,
     kind: &ClaimKind,
+    plainly: bool,
     work: &mut Work,
 ) -> Option<Vec<(String, Fraction, Comparison)>> {
     let equations = |all: Vec<(String, Fraction)>| {
@@ -62,6 +64,7 @@ fn expressions(
         ClaimKind::Symmetric => equations(identity::symmetric(family, work)?),
         ClaimKind::Continuity(joint) => equations(identity::continuity(family, joint)?),
         ClaimKind::Smooth(order) => equations(spans::smooth(family, *order, work)?),
+        ClaimKind::TotallyPositive if plainly => wronskian::conditions(family, work),
         ClaimKind::TotallyPositive => chebyshev::conditions(family, work)?,
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
@@ -165,7 +168,9 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         return independent::said(family, except);
     }
     let is_total = matches!(kind, ClaimKind::TotallyPositive);
-    if is_total && !chebyshev::is_mixed(family) {
+    let plainly = matches!(saying, Saying::Plainly);
+    // What total positivity says plainly is only what must hold: its minors are not listed.
+    if is_total && !plainly && !chebyshev::is_mixed(family) {
         return basis_prover::working(family.budget, &mut |work| total::said(family, work));
     }
     let mut parts = inequality::parts(family, kind.fixed());
@@ -179,7 +184,8 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
         return Some(rounding::statements(family, epsilons)?.into_iter().map(plain).listed());
     }
-    let expressions = basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?;
+    let expressions =
+        basis_prover::working(family.budget, &mut |work| expressions(family, kind, plainly, work))?;
     let there = family.where_fixed(kind.fixed())?;
     let (mut all, mut sample) = (Vec::new(), None);
     for (number, part) in parts.iter().enumerate() {
@@ -197,10 +203,9 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
                 Enough::Unknown if matches!(saying, Saying::By(..)) => return None,
                 Enough::Unknown | Enough::Itself => {}
             }
-            let plainly = matches!(saying, Saying::Plainly);
             let is_sign = !matches!(comparison, Comparison::Equal | Comparison::NotEqual);
             let powers = if plainly || !is_sign { None } else { powers::enough(family, of, value) };
-            let is_stronger = is_total || powers.as_ref().is_some_and(|all| all.len() > 1);
+            let is_stronger = is_total && !plainly || powers.as_ref().is_some_and(|all| all.len() > 1);
             for (of, value) in powers.unwrap_or_else(|| vec![(of.clone(), value.clone())]) {
                 let (of, value) = if is_sign { without_numbers(family, of, value) } else { (of, value) };
                 let stated =
@@ -254,6 +259,10 @@ fn with_numbers(family: &Family, kind: &ClaimKind, of: &str) -> Option<(String, 
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
             functions.map(|(k, f)| (family.function_label(k), f.value.clone())).listed()
+        }
+        ClaimKind::TotallyPositive => {
+            let all = basis_prover::working(family.budget, &mut |work| wronskian::conditions(family, work));
+            all.into_iter().map(|(text, value, _)| (text, value)).listed()
         }
         _ => return None,
     };
@@ -330,6 +339,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let ClaimKind::Rounding(epsilons) = &claim.kind {
         return rounding::decide(family, epsilons);
     }
+    if matches!(claim.kind, ClaimKind::TotallyPositive) {
+        return decide_total(family, claim);
+    }
     if let Some(verdict) =
         beside::proved_at_once(family, claim).or_else(|| refuted_beside(family, claim, true))
     {
@@ -338,7 +350,6 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     let mut ways = Vec::new();
     let Some(mut said) = said(family, claim, &mut Saying::Found(&mut ways)) else {
         return match claim.kind {
-            ClaimKind::TotallyPositive => not_total(family),
             ClaimKind::Independent(_) => Verdict::Undecided(String::from(independent::NOT_IN_PARTS)),
             _ => Verdict::Undecided(String::from(TOO_LONG)),
         };
@@ -375,7 +386,6 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         Ok(shown) => {
             Verdict::Proved(Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways))
         }
-        Err(_) if matches!(claim.kind, ClaimKind::TotallyPositive) => not_total(family),
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
@@ -477,26 +487,59 @@ fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Opt
     Some(refuted(witness, &s.of, &s.stated.of))
 }
 
-/// What is known of functions whose total positivity is not proved.
-fn not_total(family: &Family) -> Verdict {
-    match basis_prover::working(family.budget, &mut |work| total::refutation(family, work)) {
-        Some(witness) => Verdict::Refuted(Box::new(witness)),
-        None if family.functions.len() > total::MAX_FUNCTIONS => {
-            Verdict::Undecided(String::from(total::TOO_MANY))
-        }
-        None if chebyshev::is_mixed(family) => Verdict::Undecided(String::from(chebyshev::OPEN)),
-        None => Verdict::Undecided(String::from(total::OPEN)),
+/// Decides whether functions are totally positive.
+fn decide_total(family: &Family, claim: &Claim) -> Verdict {
+    let mut ways = Vec::new();
+    if let Some(enough) = said(family, claim, &mut Saying::Found(&mut ways))
+        && let Ok(shown) = all(enough.into_iter().map(|s| s.stated).listed(), family.budget)
+    {
+        let evidence = Evidence::new(method(family, &claim.kind, &shown), steps(shown));
+        return Verdict::Proved(evidence.by(ways));
     }
+    if let Some(witness) = basis_prover::working(family.budget, &mut |work| total::refutation(family, work)) {
+        return Verdict::Refuted(Box::new(witness));
+    }
+    if let Some(verdict) = within(wronskian::WORK, &mut || refuted_by_wronskians(family, claim)) {
+        return verdict;
+    }
+    Verdict::Undecided(String::from(match () {
+        () if family.functions.len() > total::MAX_FUNCTIONS => total::TOO_MANY,
+        () if chebyshev::is_mixed(family) => chebyshev::OPEN,
+        () => total::OPEN,
+    }))
 }
 
-/// The minors of a family that `given` names, each of which has to be ≥ 0.
+/// That functions are not totally positive by a Wronskian that is negative at a point.
+fn refuted_by_wronskians(family: &Family, claim: &Claim) -> Option<Verdict> {
+    let all = said(family, claim, &mut Saying::Plainly)?;
+    let assumed = all.iter().any(|s| !s.piece.is_exact());
+    let plain = all.iter().filter(|s| !is_wider(family, &s.stated.statement)).listed();
+    if assumed && let Some(verdict) = refuted_under_premises(family, claim, &plain) {
+        return Some(verdict);
+    }
+    for s in plain.into_iter().filter(|_| !assumed) {
+        let decided = basis_prover::decide(s.stated.statement.clone(), &s.stated.symmetries, family.budget);
+        if let Err(Failure::Refuted(found)) = decided {
+            let about = (s.of.clone(), found.refutation.statement());
+            let witness = witness(family, &claim.kind, about, &found, &s.piece);
+            return Some(refuted(witness, &s.of, &s.stated.of));
+        }
+    }
+    refuted_beside(family, claim, false)
+}
+
+/// The minors of a family that `given` names, each of which has to be ≥ 0; where it is empty, the Wronskians.
 ///
 /// # Errors
-/// When it names none.
+/// When it names no minor.
 pub(in crate::state) fn minors(
     family: &Family,
+    claim: &Claim,
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
+    if given.is_empty() {
+        return refutable(family, claim).ok_or("the budget is spent on the functions");
+    }
     total::instances(family, given)
 }
 

@@ -164,8 +164,10 @@ pub(in crate::state::family) fn refuted(
     claim: &Claim,
     only_mixed: bool,
 ) -> Option<(Said, Whatever)> {
-    let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
-        && !family.analytic.is_empty();
+    let comparisons = matches!(
+        claim.kind,
+        ClaimKind::Nonnegative | ClaimKind::Relation { .. } | ClaimKind::TotallyPositive
+    ) && !family.analytic.is_empty();
     if !comparisons {
         return None;
     }
