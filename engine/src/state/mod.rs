@@ -65,12 +65,12 @@ pub fn instances(
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
-        Subject::Family(family) if matches!(claim.kind, crate::claim::ClaimKind::TotallyPositive) => {
-            family::minors(about(family, claim), claim, given)
-        }
         Subject::Family(family) if given.is_empty() => {
             let stated = family::refutable(about(family, claim), claim);
             stated.ok_or("the budget is spent on a common denominator")
+        }
+        Subject::Family(family) if matches!(claim.kind, crate::claim::ClaimKind::TotallyPositive) => {
+            family::minors(about(family, claim), given)
         }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),

@@ -221,12 +221,12 @@ fn exchange(
     place: usize,
     last: &[i64],
 ) -> Motion {
-    let mut moved: Vec<Poly> = independent.mapped(|p| Poly::var(p.var));
-    moved.push(moved.iter().fold(Poly::one(), |rest, p| &rest - p));
-    moved.swap(k, k + 1);
+    let rest = || independent.iter().fold(Poly::one(), |rest, p| &rest - &Poly::var(p.var));
+    let coordinate = |k: usize| independent.get(k).map_or_else(rest, |p| Poly::var(p.var));
+    let moved = |(k, other): (usize, usize)| Some((independent.get(k)?.var, coordinate(other)));
     let [this, that] = [&independent[k], independent.get(k + 1).unwrap_or(dependent)];
     Motion {
-        by: independent.iter().zip(moved).skip(k).take(2).map(|(p, moved)| (p.var, moved)).listed(),
+        by: [(k, k + 1), (k + 1, k)].into_iter().filter_map(moved).listed(),
         angles: Vec::new(),
         shown: vec![(this.var, that.name.clone()), (that.var, this.name.clone())],
         places: Some((place + k, place + k + 1)),

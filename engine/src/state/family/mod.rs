@@ -359,9 +359,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if assumed {
         let stated = said.iter().map(|s| s.stated.clone()).listed();
         if let Ok(shown) = all(stated, family.budget) {
-            return Verdict::Proved(
-                Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways),
-            );
+            return proved(family, claim, shown, ways);
         }
         if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty())
             && let Some(verdict) = decided_by_squares(family, claim)
@@ -383,9 +381,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     let beside: Vec<String> = said.iter().filter(open).map(|s| s.stated.of.clone()).listed();
     let stated = said.iter().map(|s| s.stated.clone()).listed();
     match all(stated, family.budget) {
-        Ok(shown) => {
-            Verdict::Proved(Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways))
-        }
+        Ok(shown) => proved(family, claim, shown, ways),
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
@@ -428,8 +424,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
 fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
     let enough = independent::by_squares(family, true)?.into_iter().map(|said| said.stated).listed();
     if let Ok(shown) = all(enough, family.budget) {
-        let evidence = Evidence::new(method(family, &claim.kind, &shown), steps(shown));
-        return Some(Verdict::Proved(evidence.by(vec![independent::BY_SQUARES])));
+        return Some(proved(family, claim, shown, vec![independent::BY_SQUARES]));
     }
     let plain = independent::by_squares(family, false)?;
     refuted_under_premises(family, claim, &plain.iter().listed())
@@ -440,13 +435,23 @@ fn dependent_apart(family: &Family, claim: &Claim) -> Option<Verdict> {
     if !matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty()) {
         return None;
     }
-    independent::apart(family).into_iter().find_map(|s| match all(vec![s.stated.clone()], family.budget) {
-        Err((label, Failure::Refuted(found))) => {
-            let about = (s.of.clone(), found.refutation.statement());
-            Some(refuted(witness(family, &claim.kind, about, &found, &s.piece), &s.of, &label))
-        }
-        _ => None,
-    })
+    independent::apart(family).iter().find_map(|s| refuted_alone(family, claim, s))
+}
+
+/// That a claim is false by one of the statements that it makes, which is decided.
+fn refuted_alone(family: &Family, claim: &Claim, s: &Said) -> Option<Verdict> {
+    let Stated { of, statement, symmetries, .. } = &s.stated;
+    let Err(Failure::Refuted(found)) = basis_prover::decide(statement.clone(), symmetries, family.budget)
+    else {
+        return None;
+    };
+    let about = (s.of.clone(), found.refutation.statement());
+    Some(refuted(witness(family, &claim.kind, about, &found, &s.piece), &s.of, of))
+}
+
+/// That a claim is true by the proofs of what is enough for it, to which some ways lead.
+fn proved(family: &Family, claim: &Claim, shown: Vec<(String, Shown)>, ways: Vec<usize>) -> Verdict {
+    Verdict::Proved(Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways))
 }
 
 /// That an expression is not as claimed; where the label of the statement says more, of several parts, it is named.
@@ -456,7 +461,17 @@ fn refuted(witness: Witness, of: &str, label: &str) -> Verdict {
 
 /// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
 fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
-    let (s, whatever) = beside::refuted(family, claim, only_mixed)?;
+    let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
+        && !family.analytic.is_empty();
+    if !comparisons {
+        return None;
+    }
+    refuted_among(family, claim, said(family, claim, &mut Saying::Plainly)?, only_mixed)
+}
+
+/// The same of the comparisons that are given.
+fn refuted_among(family: &Family, claim: &Claim, said: Vec<Said>, only_mixed: bool) -> Option<Verdict> {
+    let (s, whatever) = beside::refuted(family, claim, said, only_mixed)?;
     let witness = witness_whatever(family, claim, &s, whatever);
     Some(refuted(witness, &s.of, &s.stated.of))
 }
@@ -493,8 +508,7 @@ fn decide_total(family: &Family, claim: &Claim) -> Verdict {
     if let Some(enough) = said(family, claim, &mut Saying::Found(&mut ways))
         && let Ok(shown) = all(enough.into_iter().map(|s| s.stated).listed(), family.budget)
     {
-        let evidence = Evidence::new(method(family, &claim.kind, &shown), steps(shown));
-        return Verdict::Proved(evidence.by(ways));
+        return proved(family, claim, shown, ways);
     }
     if let Some(witness) = basis_prover::working(family.budget, &mut |work| total::refutation(family, work)) {
         return Verdict::Refuted(Box::new(witness));
@@ -502,10 +516,12 @@ fn decide_total(family: &Family, claim: &Claim) -> Verdict {
     if let Some(verdict) = within(wronskian::WORK, &mut || refuted_by_wronskians(family, claim)) {
         return verdict;
     }
-    Verdict::Undecided(String::from(match () {
-        () if family.functions.len() > total::MAX_FUNCTIONS => total::TOO_MANY,
-        () if chebyshev::is_mixed(family) => chebyshev::OPEN,
-        () => total::OPEN,
+    Verdict::Undecided(String::from(if family.functions.len() > total::MAX_FUNCTIONS {
+        total::TOO_MANY
+    } else if chebyshev::is_mixed(family) {
+        chebyshev::OPEN
+    } else {
+        total::OPEN
     }))
 }
 
@@ -514,32 +530,22 @@ fn refuted_by_wronskians(family: &Family, claim: &Claim) -> Option<Verdict> {
     let all = said(family, claim, &mut Saying::Plainly)?;
     let assumed = all.iter().any(|s| !s.piece.is_exact());
     let plain = all.iter().filter(|s| !is_wider(family, &s.stated.statement)).listed();
-    if assumed && let Some(verdict) = refuted_under_premises(family, claim, &plain) {
-        return Some(verdict);
-    }
-    for s in plain.into_iter().filter(|_| !assumed) {
-        let decided = basis_prover::decide(s.stated.statement.clone(), &s.stated.symmetries, family.budget);
-        if let Err(Failure::Refuted(found)) = decided {
-            let about = (s.of.clone(), found.refutation.statement());
-            let witness = witness(family, &claim.kind, about, &found, &s.piece);
-            return Some(refuted(witness, &s.of, &s.stated.of));
-        }
-    }
-    refuted_beside(family, claim, false)
+    let found = if assumed {
+        refuted_under_premises(family, claim, &plain)
+    } else {
+        plain.into_iter().find_map(|s| refuted_alone(family, claim, s))
+    };
+    found.or_else(|| refuted_among(family, claim, all, false))
 }
 
-/// The minors of a family that `given` names, each of which has to be ≥ 0; where it is empty, the Wronskians.
+/// The minors of a family that `given` names, each of which has to be ≥ 0.
 ///
 /// # Errors
-/// When it names no minor.
+/// When it names none.
 pub(in crate::state) fn minors(
     family: &Family,
-    claim: &Claim,
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
-    if given.is_empty() {
-        return refutable(family, claim).ok_or("the budget is spent on the functions");
-    }
     total::instances(family, given)
 }
 

@@ -37,7 +37,7 @@ pub(super) fn at_point(
 
 pub(super) type Whatever = (Counterexample, Proof);
 
-pub(super) fn refuted(_: &Family, _: &Claim, _: bool) -> Option<(Said, Whatever)> {
+pub(super) fn refuted(_: &Family, _: &Claim, _: Vec<Said>, _: bool) -> Option<(Said, Whatever)> {
     None
 }
 

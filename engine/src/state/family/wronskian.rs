@@ -10,11 +10,13 @@
 //! Points at which a Wronskian is negative are found as of every expression, also where numbers like exp(1), or a variable beside its
 //! sine, occur in it; the minors themselves have values at many points in them, between which nothing relates.
 
+use basis_prover::collections::list::{Listed, Mapped};
+
 use super::total::determinant;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
-use crate::model::Family;
+use crate::model::{Family, Function};
 
 /// The work for finding a point at which one is negative.
 pub(super) const WORK: u64 = 20_000_000;
@@ -22,11 +24,11 @@ pub(super) const WORK: u64 = 20_000_000;
 /// The Wronskians that are looked at: of one function each, of all pairs, and of neighbouring functions; those for which the work
 /// suffices.
 pub(super) fn conditions(family: &Family, work: &mut Work) -> Vec<(String, Fraction, Comparison)> {
-    let mut all = Vec::new();
-    let mut jets: Vec<Vec<Fraction>> = family.functions.iter().map(|f| vec![f.value.clone()]).collect();
-    for (k, f) in family.functions.iter().enumerate() {
-        all.push((family.function_label(k), f.value.clone(), Comparison::GreaterEqual));
-    }
+    let functions = family.functions.iter().enumerate();
+    let single =
+        |(k, f): (usize, &Function)| (family.function_label(k), f.value.clone(), Comparison::GreaterEqual);
+    let mut all = functions.map(single).listed();
+    let mut jets = family.functions.mapped(|f| vec![f.value.clone()]);
     for size in 2..=jets.len() {
         let done = differentiate(family, &mut jets, work).and_then(|()| of_size(family, &jets, size, work));
         let Some(wronskians) = done else { break };
@@ -45,7 +47,7 @@ fn differentiate(family: &Family, jets: &mut [Vec<Fraction>], work: &mut Work) -
     Some(())
 }
 
-/// The Wronskians of so many functions: of all pairs, and of those that follow one another.
+/// The Wronskians of two functions each, of all pairs; of more, those of neighbouring functions.
 fn of_size(
     family: &Family,
     jets: &[Vec<Fraction>],
@@ -57,10 +59,10 @@ fn of_size(
         let last = if size == 2 { jets.len() } else { first + 2 };
         for second in first + 1..last {
             let functions = core::iter::once(first).chain(second..second + size - 1);
-            let functions: Vec<usize> = functions.collect();
-            let rows = functions.iter().map(|k| jets[*k].clone()).collect();
+            let functions = functions.listed();
+            let rows = functions.mapped(|k| jets[*k].clone());
             let value = family.analytic.reduced(determinant(rows, work)?);
-            let labels: Vec<String> = functions.iter().map(|k| family.function_label(*k)).collect();
+            let labels = functions.mapped(|k| family.function_label(*k));
             all.push((format!("Wronskian of {}", labels.join(", ")), value, Comparison::GreaterEqual));
         }
     }

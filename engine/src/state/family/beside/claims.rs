@@ -19,11 +19,11 @@ use crate::model::angle::tangents::has_ends;
 use crate::model::angle::{Angle, Kind};
 use crate::model::chart::Piece;
 use crate::state::family::{
-    Enough, Said, Saying, is_wider, method, premises, said, statements, without_numbers,
+    Enough, Said, Saying, is_wider, premises, proved, said, statements, without_numbers,
 };
 use crate::state::inequality::compared_on;
-use crate::state::proofs::{all, steps};
-use crate::state::verdict::{Evidence, Stated, Verdict};
+use crate::state::proofs::all;
+use crate::state::verdict::{Stated, Verdict};
 
 /// What is enough for a comparison.
 pub(in crate::state::family) fn enough<'f>(
@@ -158,20 +158,13 @@ fn combined<'f>(
 /// A point at which a statement fails, and the proof that it does whatever π and exp(r) are between their bounds.
 pub(in crate::state::family) type Whatever = (Counterexample, Proof);
 
-/// The first comparison of a claim that fails at a point with π, exp(r), or an angle beside its sine, and the point.
+/// The first of some comparisons of a claim that fails at a point with π, exp(r), or an angle beside its sine, and the point.
 pub(in crate::state::family) fn refuted(
     family: &Family,
     claim: &Claim,
+    all: Vec<Said>,
     only_mixed: bool,
 ) -> Option<(Said, Whatever)> {
-    let comparisons = matches!(
-        claim.kind,
-        ClaimKind::Nonnegative | ClaimKind::Relation { .. } | ClaimKind::TotallyPositive
-    ) && !family.analytic.is_empty();
-    if !comparisons {
-        return None;
-    }
-    let all = said(family, claim, &mut Saying::Plainly)?;
     let there = family.where_fixed(claim.kind.fixed())?;
     for s in all {
         let Statement::Sign { value, .. } = &s.stated.statement else { continue };
@@ -230,7 +223,7 @@ pub(in crate::state::family) fn proved_at_once(family: &Family, claim: &Claim) -
     }
     let mut stated = Some(stated);
     let shown = within(AT_ONCE, &mut || all(stated.take()?, family.budget).ok())?;
-    Some(Verdict::Proved(Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways)))
+    Some(proved(family, claim, shown, ways))
 }
 
 /// The rows with all numbers between their bounds in place of parameters beside their sines; `None` where there is no such
