@@ -1,6 +1,6 @@
 //! Names as they are typed and as they stand in the spec.
 
-use basis_engine::generate::ascii;
+use basis_engine::ascii::ascii;
 use basis_engine::plural;
 pub(crate) use basis_engine::plural::count;
 

@@ -4,7 +4,7 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
-use basis_engine::generate::ascii;
+use basis_engine::ascii::ascii;
 use basis_engine::{Sources, query};
 use clap::ValueEnum as _;
 

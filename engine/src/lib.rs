@@ -28,6 +28,7 @@ mod guide {}
 
 mod advice;
 pub mod algebra;
+pub mod ascii;
 pub mod claim;
 pub mod continuation;
 pub mod diagnostic;

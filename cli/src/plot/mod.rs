@@ -21,7 +21,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use basis_engine::generate::ascii;
+use basis_engine::ascii::ascii;
 use basis_engine::{Checked, Diagnostic, Disk, Family, Library, Prover, Sources, decide};
 
 use crate::args::PlotArguments;

@@ -29,7 +29,7 @@
 //! - No target computes anything by other operations than the steps: they are what is tested bit for bit beside the
 //!   compiled Rust, and what rounding bounds are proved for. A compiler may fuse products into additions, which leaves
 //!   out roundings; it may not reassociate, and a target says so where a compiler can be told to.
-//! - Names are those of Rust, [`ascii`](crate::generate::ascii), with `_` appended where a word is reserved.
+//! - Names are those of Rust, [`ascii`](crate::ascii::ascii), with `_` appended where a word is reserved.
 //! - Shape values are checked once, where they come in: [`Shape`] has the range, and its text for the message.
 
 #![allow(clippy::format_collect)] // a file is written once
@@ -123,7 +123,7 @@ pub trait Language {
 
     /// A name that is not reserved and not taken: with as many `_` appended as it needs.
     fn free(&self, name: &str, taken: &[String]) -> String {
-        let ascii = generate::ascii(name);
+        let ascii = crate::ascii::ascii(name);
         // Where names that begin with `_` are reserved, more of them at the end help nothing.
         let begins = if self.is_reserved(&ascii) { ascii.trim_start_matches('_') } else { &ascii };
         let is_name = begins.starts_with(|c: char| c == '_' || c.is_ascii_alphabetic());

@@ -35,11 +35,11 @@ use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 use crate::model::angle::tangents::in_tangents;
+use crate::plan::evaluated;
 use crate::plan::interval::form::{IntervalForm, RationalForm};
 use crate::plan::reach::{self, Reach};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
-pub use code::names::ascii;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use code::reach::{out_of_reach, within};
 use code::shell::Shell;
@@ -79,30 +79,9 @@ pub fn family(
     Ok(in_module(&name, &definition(family, verdicts, name.clone(), options)?))
 }
 
-/// Whether the steps of the evaluators of a family are known, if it is small enough.
-#[cfg(any(test, feature = "rounding"))]
-pub(crate) fn is_evaluated(family: &Family) -> bool {
-    no_type(family).is_none() && !series::is_mixed(family)
-}
-
 /// What there is in place of code.
 const NO_CODE: &str =
     "its claims are proved, and `basis explain` and `basis eval` know it; for code, leave such functions out";
-
-/// Why no type is generated for a family of any size; `None` where one is.
-fn no_type(family: &Family) -> Option<Diagnostic> {
-    if series::is_mixed(family) {
-        return None;
-    }
-    let message = if RationalForm::is_of(family) && family.interval().is_none() {
-        "no code is generated yet for families with denominators, angles or exponentials in several domain variables"
-    } else if family.leaves_an_end_out() && family.interval().is_none() {
-        "no code is generated for families on a domain of several variables without its ends yet"
-    } else {
-        return None;
-    };
-    Some(Diagnostic::error(family.place.clone(), message).help(NO_CODE))
-}
 
 /// The family as it is evaluated: in polynomials where the domain variable stands beside its sine, in the tangents of its
 /// shape parameters, and with the functions marked that its claims prove to be nonnegative.
@@ -122,11 +101,11 @@ pub fn evaluated<'a>(
 }
 
 fn in_evaluated_form(family: &Family) -> Result<Cow<'_, Family>, Diagnostic> {
-    if let Some(error) = no_type(family) {
-        return Err(error);
-    }
     let error = |message: &str| Diagnostic::error(family.place.clone(), message).help(NO_CODE);
-    if series::is_mixed(family) {
+    if let Some(reason) = evaluated::missing(family) {
+        return Err(error(reason));
+    }
+    if evaluated::is_mixed(family) {
         return series::in_polynomials(family).map(Cow::Owned).ok_or_else(|| {
             if let Some((name, range)) = series::longest(family) {
                 let message = format!(

@@ -2,11 +2,6 @@
 
 use crate::model::Family;
 
-/// No function has one.
-pub(super) fn is_mixed(_: &Family) -> bool {
-    false
-}
-
 /// Nothing, of nothing.
 pub(super) fn in_polynomials(_: &Family) -> Option<Family> {
     None

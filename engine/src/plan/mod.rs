@@ -14,6 +14,8 @@
 //! | `join` | the control points that a join of a spec determines |
 //! | `scalars`, `powers` | what these are built of: expressions in shape values, powers of coordinates |
 //! | `corners` | differences that have no digits where exponentials are large |
+//! | `evaluated` | which families have evaluators |
+//! | `digits` | numbers as sums of floats |
 //! | `sign` | which values rounding could make negative |
 //! | `reach` | the shape values beyond which exponentials overflow |
 //!
@@ -23,7 +25,9 @@
 mod build;
 mod corners;
 pub mod denominator;
+pub(crate) mod digits;
 pub mod ends;
+pub(crate) mod evaluated;
 pub mod interval;
 #[cfg(feature = "joins")]
 pub mod join;

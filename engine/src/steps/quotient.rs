@@ -8,10 +8,10 @@
 
 use super::{Builder, Function, Steps, lower};
 use crate::algebra::rational::Rational;
-use crate::generate::rational::split;
 use crate::model::Family;
 use crate::model::angle::{Analytic, Angle, Kind};
 use crate::plan::denominator::Sign;
+use crate::plan::digits::split;
 use crate::plan::interval::form::RationalForm;
 use crate::plan::interval::rational;
 use crate::plan::{Input, Plan};

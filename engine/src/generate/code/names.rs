@@ -4,6 +4,7 @@ use basis_prover::collections::list::Listed as _;
 use proc_macro2::Ident;
 
 use super::tokens::site;
+use crate::ascii::ascii;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 
@@ -25,55 +26,6 @@ const METHODS: [&str; 15] = [
     "curve_after",
     "curve_before",
 ];
-
-const LOWER: [(char, &str); 25] = [
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('δ', "delta"),
-    ('ε', "epsilon"),
-    ('ζ', "zeta"),
-    ('η', "eta"),
-    ('θ', "theta"),
-    ('ι', "iota"),
-    ('κ', "kappa"),
-    ('λ', "lambda"),
-    ('μ', "mu"),
-    ('ν', "nu"),
-    ('ξ', "xi"),
-    ('ο', "omicron"),
-    ('π', "pi"),
-    ('ρ', "rho"),
-    ('σ', "sigma"),
-    ('ς', "sigma"),
-    ('τ', "tau"),
-    ('υ', "upsilon"),
-    ('φ', "phi"),
-    ('χ', "chi"),
-    ('ψ', "psi"),
-    ('ω', "omega"),
-];
-
-/// The name in ASCII: `λ1` becomes `lambda1`, other letters become their code.
-pub fn ascii(name: &str) -> String {
-    let mut result = String::new();
-    for c in name.chars() {
-        let lower = c.to_lowercase().next().unwrap_or(c);
-        match LOWER
-            .iter()
-            .find(|(g, _)| *g == lower || matches!((g, c), ('ε', 'ϵ') | ('θ', 'ϑ') | ('φ', 'ϕ')))
-        {
-            Some((_, word)) if lower == c || !c.is_uppercase() => result += word,
-            Some((_, word)) => {
-                result += &word[..1].to_uppercase();
-                result += &word[1..];
-            }
-            None if c.is_ascii() => result.push(c),
-            None => result += &format!("u{:x}", c as u32),
-        }
-    }
-    result
-}
 
 /// Words that are keywords in some edition but not in all: what the calling crate has is not known here.
 const SOME_EDITIONS: [&str; 4] = ["async", "await", "dyn", "gen"];
@@ -256,11 +208,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn greek_becomes_ascii() {
-        assert_eq!(ascii("λ1"), "lambda1");
-        assert_eq!(ascii("Δ_x"), "Delta_x");
-        assert_eq!(ascii("ϕ"), "phi");
-        assert_eq!(ascii("é"), "ue9");
+    fn names_in_rust() {
         assert_eq!(
             ["G1", "G2SurfaceUU", "C2", "λ1", "P"].map(snake),
             ["g1", "g2_surface_uu", "c2", "lambda1", "p"]

@@ -6,13 +6,7 @@ mod points;
 use std::rc::Rc;
 
 use crate::algebra::poly::Poly;
-use crate::model::{Family, Function};
-
-/// Whether the domain variable stands beside its sine or exponential in a function.
-pub(super) fn is_mixed(family: &Family) -> bool {
-    let of = |f: &Function| family.domain.iter().any(|p| family.analytic.mixes(&f.value, p.var));
-    family.functions.iter().any(of) || family.pieces.iter().any(|piece| is_mixed(piece))
-}
+use crate::model::Family;
 
 /// The shape parameter whose range is too long for [`in_polynomials`] on some span, or has no end, and a range that is not.
 pub(super) fn longest(family: &Family) -> Option<(String, String)> {

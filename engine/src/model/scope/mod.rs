@@ -595,7 +595,7 @@ impl Scope<'_> {
 
 /// The known name that differs only in Greek letters that are spelled out, `lambda` and `λ`.
 fn spelled_out(name: &str, known: &[&str]) -> Option<String> {
-    let ascii = crate::generate::ascii;
+    let ascii = crate::ascii::ascii;
     let same = known.iter().find(|known| ascii(known) == ascii(name))?;
     Some(format!("the name is written `{same}`"))
 }

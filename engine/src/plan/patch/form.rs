@@ -13,6 +13,7 @@ use crate::plan::interval::form::{MAX_CONTENT, square_factor};
 use crate::plan::sign::has_one_sign;
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
+use basis_prover::collections::sort::sort_by;
 
 /// More Bernstein coefficients, for all functions together, are not emitted.
 const MAX_COEFFICIENTS: usize = 1 << 16;
@@ -252,7 +253,7 @@ fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> SortedMap<Vec
 
 /// Terms with the same exponents and the same monomial put together, in the order of their exponents.
 fn like_terms(mut terms: Vec<(Vec<u32>, Monomial, Rational)>) -> Vec<(Vec<u32>, Monomial, Rational)> {
-    terms.sort_by(|a, b| (&a.0, &a.1).cmp(&(&b.0, &b.1)));
+    sort_by(&mut terms, |a, b| (&a.0, &a.1).cmp(&(&b.0, &b.1)));
     terms.dedup_by(|next, first| {
         let is_like = next.0 == first.0 && next.1 == first.1;
         if is_like {
