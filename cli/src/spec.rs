@@ -1,5 +1,6 @@
 //! Reads a spec that a command names: a file, standard input, or one of the library.
 
+use basis_kernel::collections::sort::sort;
 use std::fs;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
@@ -89,7 +90,7 @@ fn neighbour(path: &Path) -> Option<String> {
     let specs = files.filter(|file| file.extension().is_some_and(|e| e == EXTENSION) && file.is_file());
     let mut stems: Vec<String> =
         specs.filter_map(|file| Some(file.file_stem()?.to_str()?.to_string())).collect();
-    stems.sort();
+    sort(&mut stems);
     let stems: Vec<&str> = stems.iter().map(String::as_str).collect();
     let near = closest(typed, &stems)?;
     Some(folder.join(format!("{near}.{EXTENSION}")).display().to_string())

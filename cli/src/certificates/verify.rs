@@ -1,5 +1,6 @@
 //! `basis verify`: checks certificates against the specs that they are about, and proofs against statements.
 
+use basis_kernel::collections::sort::sort;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,7 +56,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Status {
         return unusable(format!("cannot read the folder `{}`: {e}", arguments.folder.display()));
     }
     files.retain(|file| *file != manifest::path(&arguments.folder));
-    files.sort();
+    sort(&mut files);
     if files.is_empty() {
         return unusable(format!("there is no certificate in the folder `{}`", arguments.folder.display()));
     }

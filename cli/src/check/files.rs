@@ -1,5 +1,6 @@
 //! Which spec files the paths of a command stand for.
 
+use basis_kernel::collections::sort::{sort, sort_by};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -68,7 +69,7 @@ fn folder(root: &Path) -> Vec<Entry> {
     // read once, so that links that form a loop come to an end.
     let mut linked = vec![root.to_path_buf()];
     while !linked.is_empty() {
-        linked.sort();
+        sort(&mut linked);
         let mut next = Vec::new();
         for link in linked {
             walk(&link, &mut seen, &mut found, &mut next);
@@ -82,7 +83,7 @@ fn folder(root: &Path) -> Vec<Entry> {
         };
         found.push(Entry { path: root.to_path_buf(), problem: Some(problem) });
     }
-    found.sort_by(|a, b| a.path.cmp(&b.path));
+    sort_by(&mut found, |a, b| a.path.cmp(&b.path));
     found
 }
 

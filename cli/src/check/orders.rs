@@ -1,5 +1,7 @@
 //! Values of index parameters as text: `n = 1..=30`.
 
+use basis_kernel::collections::sort::sort_unique;
+
 /// The most orders that are listed when they do not form a range.
 const FEW: usize = 4;
 
@@ -13,14 +15,12 @@ pub(crate) fn values(order: &[(String, i64)]) -> String {
 /// `(m, n) = (1, 2), (3, 1)`.
 pub(crate) fn describe<'o>(orders: impl Iterator<Item = &'o [(String, i64)]>) -> String {
     let mut all: Vec<&[(String, i64)]> = orders.collect();
-    all.sort_unstable();
-    all.dedup();
+    sort_unique(&mut all);
     let Some(first) = all.first() else { return String::new() };
     let axes: Vec<Vec<i64>> = (0..first.len())
         .map(|k| {
             let mut axis: Vec<i64> = all.iter().map(|o| o[k].1).collect();
-            axis.sort_unstable();
-            axis.dedup();
+            sort_unique(&mut axis);
             axis
         })
         .collect();

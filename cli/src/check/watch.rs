@@ -3,6 +3,7 @@
 //! Files are looked at five times a second. Their number is small, the same code serves every system and every file
 //! system, and an editor that replaces a file by a new one is no special case.
 
+use basis_kernel::collections::sort::sort_unique;
 use std::fs;
 use std::io::IsTerminal as _;
 use std::path::PathBuf;
@@ -48,8 +49,7 @@ fn states(arguments: &CheckArguments, read: &[PathBuf]) -> Vec<State> {
     let found = files::find(&arguments.paths).into_iter().map(|entry| entry.path);
     let mut paths: Vec<PathBuf> = found.map(|path| path.canonicalize().unwrap_or(path)).collect();
     paths.extend(read.iter().cloned());
-    paths.sort();
-    paths.dedup();
+    sort_unique(&mut paths);
     let state = |path: PathBuf| {
         let data = fs::metadata(&path).ok();
         let state = data.and_then(|data| Some((data.modified().ok()?, data.len())));

@@ -12,6 +12,7 @@ use basis_engine::model::{Factor, Parameter};
 use basis_engine::{Coordinate, Family, Witness};
 use basis_kernel::algebra::poly::Var;
 use basis_kernel::algebra::range::{End, Range, Region};
+use basis_kernel::collections::sort::sort;
 use basis_kernel::{Certificate, Proof, Statement, Values, pieces};
 
 use super::formula::{number, rational};
@@ -355,7 +356,7 @@ impl Subject<'_> {
     /// The domain variables in the order in which functions take them.
     fn variables(&self) -> Vec<usize> {
         let mut all: Vec<usize> = self.family.domain_variables().map(|p| p.var.0).collect();
-        all.sort_unstable();
+        sort(&mut all);
         all
     }
 

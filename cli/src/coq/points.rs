@@ -4,6 +4,7 @@
 //! is a function of the number of the coordinate, and an equation of vectors says that all coordinates agree, those of outer
 //! products with two numbers each.
 
+use basis_kernel::collections::sort::{sort_by, sort_unique};
 use std::rc::Rc;
 
 use basis_engine::algebra::range::Range;
@@ -153,8 +154,7 @@ impl<'a> About<'a> {
         for term in terms {
             variables(term, &mut used);
         }
-        used.sort_unstable();
-        used.dedup();
+        sort_unique(&mut used);
         used.retain(|v| all.iter().all(|place: &Place| place.variable != *v));
         for variable in used {
             all.push(self.place(variable)?);
@@ -467,7 +467,7 @@ impl<'a> About<'a> {
             }
         }
         // Scalars stand before points.
-        exists.sort_by_key(|text| text.starts_with("(fun"));
+        sort_by(&mut exists, |a, b| a.starts_with("(fun").cmp(&b.starts_with("(fun")));
         let mut steps = String::new();
         if !exists.is_empty() {
             steps += &format!("  exists {}.\n", exists.join(", "));

@@ -1,5 +1,6 @@
 //! Files as the editor sees them: texts that are open, and what is on the disk.
 
+use basis_kernel::collections::sort::sort;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -128,7 +129,7 @@ pub(super) fn beside(path: Option<&Path>) -> Vec<String> {
     let specs = entries.filter(|p| p != path && p.extension().is_some_and(|e| e == EXTENSION));
     let mut names: Vec<String> =
         specs.filter_map(|p| Some(p.file_name()?.to_str()?.to_string())).take(MAX_SPECS).collect();
-    names.sort();
+    sort(&mut names);
     names
 }
 
@@ -156,7 +157,7 @@ pub(super) fn specs(roots: &[PathBuf]) -> Vec<PathBuf> {
             }
         }
     }
-    found.sort();
+    sort(&mut found);
     found
 }
 

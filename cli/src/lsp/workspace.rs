@@ -1,5 +1,6 @@
 //! What is open in the editor, and the specs around it.
 
+use basis_kernel::collections::sort::sort_unique;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -100,8 +101,7 @@ impl Workspace {
     pub(super) fn specs(&self) -> Vec<PathBuf> {
         let mut all = files::specs(&self.roots);
         all.extend(self.texts.iter().filter_map(|t| t.path.clone()));
-        all.sort();
-        all.dedup();
+        sort_unique(&mut all);
         all
     }
 

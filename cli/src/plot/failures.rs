@@ -7,6 +7,7 @@ use basis_engine::model::angle::Angle;
 use basis_engine::query::function_of;
 use basis_engine::state::as_declared;
 use basis_engine::{Checked, Family, Verdict, Witness};
+use basis_kernel::collections::sort::sort_by;
 
 use super::values::{Functions, pieces};
 
@@ -54,7 +55,7 @@ pub(super) fn failures(family: &Family, checked: &Checked) -> Vec<Failure> {
         let shapes = family.shapes.iter().map(plays).collect();
         all.push(Failure { declared, shapes, piece, at, function, text });
     }
-    all.sort_by_key(|failure| failure.declared);
+    sort_by(&mut all, |a, b| a.declared.cmp(&b.declared));
     all
 }
 

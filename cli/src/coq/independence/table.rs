@@ -9,6 +9,7 @@ use basis_engine::algebra::rational::Rational;
 use basis_kernel::algebra::poly::{Poly, Var};
 use basis_kernel::algebra::range::Region;
 use basis_kernel::algebra::work::Work;
+use basis_kernel::collections::sort::sort_unique;
 use basis_kernel::{Minors, Signed, minor};
 
 const TOO_LONG: Missing = "a table of coefficients that is too long";
@@ -170,8 +171,7 @@ fn candidates(family: &Family, numerators: &[Poly], domain: &[Var], width: usize
     for (m, _) in numerators.iter().flat_map(Poly::terms) {
         monomials.push(domain.iter().map(|v| u32::from(m.exponent(*v))).collect());
     }
-    monomials.sort();
-    monomials.dedup();
+    sort_unique(&mut monomials);
     let mut all = Vec::new();
     if family.is_simplex() {
         let total = |m: &[u32]| m.iter().sum::<u32>();
