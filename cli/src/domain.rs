@@ -3,6 +3,7 @@
 use basis_engine::Family;
 use basis_engine::Theorem;
 use basis_engine::model::Factor;
+use basis_engine::model::angle::Kind;
 
 /// The domain, such as `0 <= t <= 1` or `triangle (u, v, w)`.
 pub(crate) fn describe(family: &Family) -> String {
@@ -24,6 +25,18 @@ pub(crate) fn theorem_heading(theorem: &Theorem, title: &str) -> String {
     let mut facts = vec![patches.join(", "), theorem.conditions().join(", ")];
     facts.retain(|fact| !fact.is_empty());
     format!("{title}: {}\n", facts.join("; "))
+}
+
+/// The functions that stand in a family beside polynomials: it has no degree in its domain variable.
+pub(crate) fn transcendental(family: &Family) -> Option<&'static str> {
+    let kind = |family: &Family| family.domain.iter().find_map(|p| Some(family.analytic.angle(p.var)?.kind));
+    let kinds =
+        || core::iter::once(kind(family)).chain(family.pieces.iter().map(|piece| kind(piece))).flatten();
+    if kinds().any(|kind| kind == Kind::Circular) {
+        Some("with sine and cosine")
+    } else {
+        kinds().any(|kind| kind == Kind::Hyperbolic).then_some("with exponentials")
+    }
 }
 
 /// The degree for each factor of the domain: in its variable, or in all coordinates of a simplex together.

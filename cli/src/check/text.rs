@@ -99,13 +99,8 @@ fn family_heading(families: &[&Family]) -> String {
     }
     let functions = range(families, |family| family.functions.len());
     let noun = if functions == "1" { "function" } else { "functions" };
-    let all: Vec<Vec<u32>> = families.iter().map(|family| domain::degrees(family)).collect();
-    let factors = all.first().map_or(0, Vec::len);
-    let degrees: Vec<String> =
-        (0..factors).map(|k| range(&all, |degrees| degrees.get(k).copied().unwrap_or(0))).collect();
-    let degrees = if degrees.len() == 1 { degrees.concat() } else { format!("({})", degrees.join(", ")) };
     let mut facts = vec![
-        format!("{functions} {noun} of degree {degrees}"),
+        format!("{functions} {noun} {}", kind(families)),
         format!("domain {}", same(families, domain::describe)),
     ];
     if !family.shapes.is_empty() {
@@ -116,6 +111,19 @@ fn family_heading(families: &[&Family]) -> String {
         facts.push(format!("assume {}", same(families, assumed)));
     }
     format!("{}: {}\n", styled(STRONG, &title), facts.join("; "))
+}
+
+/// What kind of functions they are: `of degree 4`, or `with sin, cos`.
+fn kind(families: &[&Family]) -> String {
+    if let Some(with) = families.iter().find_map(|family| domain::transcendental(family)) {
+        return String::from(with);
+    }
+    let all: Vec<Vec<u32>> = families.iter().map(|family| domain::degrees(family)).collect();
+    let factors = all.first().map_or(0, Vec::len);
+    let degrees: Vec<String> =
+        (0..factors).map(|k| range(&all, |degrees| degrees.get(k).copied().unwrap_or(0))).collect();
+    let degrees = if degrees.len() == 1 { degrees.concat() } else { format!("({})", degrees.join(", ")) };
+    format!("of degree {degrees}")
 }
 
 /// `4`, or `2 to 31` where the orders differ.

@@ -9,7 +9,7 @@ use super::expr::{expr, loops};
 use super::tokens::{comparison, join, name, unexpected};
 use super::words::{PROPERTIES, at_word, equals, take_word, text_of};
 use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, ExprKind, Loops, Relation};
-use crate::advice::{did_you_mean, translated};
+use crate::advice::translated;
 
 /// `prove …` or `refute …` without the final `;`.
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
@@ -70,9 +70,7 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
     let Some((word, after)) = input.cursor().ident() else { return unexpected(input, "a claim") };
     let text = word.to_string();
     let next = after.ident().map(|(word, _)| word.to_string()).unwrap_or_default();
-    let near = crate::advice::closest(&text, &PROPERTIES)
-        .or_else(|| PROPERTIES.into_iter().find(|p| p.split('_').next() == Some(text.as_str())));
-    let help = match near {
+    let help = match nearest(&text) {
         _ if text == "not" => format!("`refute {next};` claims that it is false"),
         _ if CALLED.contains(&text.as_str()) => {
             let message = format!("the argument of `{text}` has no brackets");
@@ -87,6 +85,14 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
         None => of_papers(&text).unwrap_or_else(properties),
     };
     error(word.span(), format!("`{text}` is not a property"), help)
+}
+
+/// The property that a word resembles, begins, or ends in.
+fn nearest(text: &str) -> Option<&'static str> {
+    let last = text.rsplit('_').next().filter(|last| *last != text);
+    crate::advice::closest(text, &PROPERTIES)
+        .or_else(|| PROPERTIES.into_iter().find(|p| p.split('_').next() == Some(text)))
+        .or_else(|| crate::advice::closest(last?, &PROPERTIES))
 }
 
 /// Properties that papers name and the language says otherwise.
@@ -334,7 +340,9 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
                     ),
                 ));
             }
-            let help = of_papers(&text).unwrap_or_else(|| did_you_mean(&text, &PROPERTIES, &properties));
+            let help = of_papers(&text)
+                .or_else(|| Some(format!("did you mean `{}`?", nearest(&text)?)))
+                .unwrap_or_else(properties);
             return Err(error(word.span(), format!("`{text}` is not a property"), help));
         }
         let word =

@@ -152,7 +152,7 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         }
         "is" => "write `==`, `>=`, …, or of two vectors `a parallel b`",
         "where" | "when" | "with" => {
-            "ranges are declared, `scalar 0 < c;`; index variables follow after `for`"
+            "ranges are declared, `shape 0 <= λ <= 1;` (in theorems `scalar`), conditions `assume λ <= μ;`; index variables follow after `for`"
         }
         "at" => "a place comes first: `prove at t = 0 { b[0] = 1; }`",
         "triangle" | "tetrahedron" => {
@@ -602,6 +602,11 @@ pub(super) fn index_range(input: ParseStream<'_>, hint: &str) -> Result<IndexRan
     } else {
         let help = format!("write `0..=3` for 0, 1, 2, 3{hint}");
         return Err(error(low.span, "this is not a range of an index", help));
+    }
+    if input.is_empty() || input.peek(Token![;]) {
+        let found = unexpected(input, "the last value").to_string();
+        let help = format!("write both ends of the range, such as `{} in 1..=8`", name.text);
+        return Err(error(input.span(), found, help));
     }
     let high = expr(input)?;
     Ok(IndexRange { name, low, high, inclusive })

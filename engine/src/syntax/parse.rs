@@ -6,6 +6,7 @@ use syn::parse::{ParseStream, Parser};
 
 use super::error::{SyntaxError, SyntaxErrors, SyntaxPlace, error};
 use super::statements::family;
+use super::tokens::{at_file_doc, unexpected};
 use super::words::{Doc, at_word, doc, take_word};
 use super::{Family, Home, Item, Spec, StatementKind, Theorem, Use, glyphs};
 use crate::advice::did_you_mean;
@@ -218,12 +219,16 @@ fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> 
         input.parse::<Token![;]>()?;
         return Ok(Item::Use(Use { home, path: path.value(), span: path.span() }));
     }
+    let expected = "`family`, `theorem`, `join` or `use`";
+    let found = unexpected(input, expected);
+    if at_file_doc(input) {
+        return Err(found);
+    }
     let help = match input.cursor().ident() {
         Some((word, _)) => did_you_mean(&word.to_string(), &ITEMS, &|| String::from(ITEM_HELP)),
         None => String::from(ITEM_HELP),
     };
-    let expected = "`family`, `theorem`, `join` or `use`";
-    Err(error(input.span(), super::tokens::unexpected(input, expected).to_string(), help))
+    Err(error(input.span(), found.to_string(), help))
 }
 
 /// Goes on at the next word that begins an item, at least one token further.

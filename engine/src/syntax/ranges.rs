@@ -75,7 +75,7 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
         let at = input.span();
         let Some(sign) = comparison(input)? else { break };
         signs.push((sign, at));
-        parts.push(expr(input)?);
+        parts.push(expr(input).map_err(|e| of_two_ranges(e, input, &parts))?);
     }
     if at_word(input, "in") {
         let name = text_of(start, input.cursor());
@@ -115,6 +115,17 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
         });
     }
     Ok((parts, included))
+}
+
+/// The error for `λ > 0 λ < 1`.
+fn of_two_ranges(e: Error, input: ParseStream<'_>, parts: &[Expr]) -> Error {
+    match (parts, input.cursor().ident()) {
+        ([Expr { kind: ExprKind::Name(name), .. }], Some((again, _))) if again == name => {
+            let help = format!("write both ends in one chain, such as `0 < {name} < 1`");
+            error(e.span(), format!("the range of `{name}` has two parts"), help)
+        }
+        _ => e,
+    }
 }
 
 fn no_target(span: Span, help: &str) -> Error {

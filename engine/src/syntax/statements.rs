@@ -198,16 +198,26 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 }
 
 /// Words with which statements begin elsewhere, and what to write.
-const ELSEWHERE: [(&str, &str); 8] = [
+const ELSEWHERE: [(&str, &str); 12] = [
     ("for foreach loop", "a loop stands behind the formula: `b[i] = t^i for i in 0..=3;`"),
     ("parameter parameters param params", "write `shape -1 <= λ <= 1;` for a shape parameter"),
-    ("claim claims assert lemma show property ensure check verify", "write `prove …;`"),
+    ("claim claims assert lemma show property ensure check verify proof prop theorem", "write `prove …;`"),
     ("disprove deny", "write `refute …;`"),
     ("define def set var where", "write `let c = …;` for a name, `b[0] = …;` for a basis function"),
     ("variable variables interval", "write `domain 0 <= t <= 1;`"),
     (
         "span spans piece pieces piecewise segment",
         "spans follow one another in the domain, and in each function: `domain 0 <= t <= 1, 1 <= t <= 2;` and `b[0] = t | 2 - t;`",
+    ),
+    ("over denominator denom weight weights", "divide in the formulas: `let w = 1 + t; b[0] = 1/w;`"),
+    (
+        "angle frequency scale tension",
+        "an angle, or a frequency, is the end of the domain: `shape 0 < α < pi; domain 0 <= t <= α;`",
+    ),
+    ("periodic period", "claim it of the functions: `prove b[1] = b[0](t + pi/2);`"),
+    (
+        "values vector components",
+        "the values are numbers: write a function for each component, `b[i, 0] = …; b[i, 1] = …;`",
     ),
     ("knots knot", "knots are the ends of spans: `domain 0 <= t <= 1, 1 <= t <= 2;`"),
 ];

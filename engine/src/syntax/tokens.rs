@@ -21,6 +21,15 @@ pub(super) fn join(a: Span, b: Span) -> Span {
     a.join(b).unwrap_or(a)
 }
 
+/// Whether a `//!` comment follows.
+pub(super) fn at_file_doc(input: ParseStream<'_>) -> bool {
+    input.peek(Token![#]) && input.peek2(Token![!]) && input.peek3(syn::token::Bracket)
+}
+
+/// What to write instead of one that is not the first thing in a file.
+const FILE_DOC_HELP: &str =
+    "it describes the whole file, at its top; write `///` above what is described, or `//`";
+
 /// What stands where something else was expected.
 pub(super) fn unexpected(input: ParseStream<'_>, expected: &str) -> syn::Error {
     match input.cursor().token_tree() {
@@ -33,6 +42,11 @@ pub(super) fn unexpected(input: ParseStream<'_>, expected: &str) -> syn::Error {
             };
             syn::Error::new(g.span_open(), format!("expected {expected}, found {open}"))
         }
+        Some((TokenTree::Punct(p), _)) if at_file_doc(input) => error(
+            p.span(),
+            format!("expected {expected}, found a comment that begins with `//!`"),
+            FILE_DOC_HELP,
+        ),
         // What a doc comment is made of is not what stands there.
         Some((TokenTree::Punct(p), _)) if p.as_char() == '#' && input.peek2(syn::token::Bracket) => {
             syn::Error::new(p.span(), format!("expected {expected}, found a doc comment"))
@@ -109,6 +123,19 @@ pub(super) fn number(literal: &Literal) -> Result<Rational> {
 
 /// A comparison sign, if one follows.
 pub(super) fn comparison(input: ParseStream<'_>) -> Result<Option<Comparison>> {
+    for (is_here, wrong, right) in [
+        (input.peek(Token![=>]), "=>", ">="),
+        (input.peek(Token![<]) && input.peek2(Token![>]), "<>", "!="),
+        (input.peek(Token![=]) && input.peek2(Token![<]) && !input.peek(Token![==]), "=<", "<="),
+    ] {
+        if is_here {
+            return Err(error(
+                input.span(),
+                format!("`{wrong}` is not a sign of the language"),
+                format!("write `{right}`"),
+            ));
+        }
+    }
     Ok(Some(if input.peek(Token![==]) {
         input.parse::<Token![==]>()?;
         Comparison::Equal

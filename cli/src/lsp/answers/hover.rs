@@ -220,9 +220,14 @@ fn summary(analysis: &Analysis, family: &Family) -> String {
     let decided = claims().filter_map(|(claim, verdict)| Some((claim, verdict.as_ref()?)));
     let fine = decided.filter(|(c, v)| basis_engine::state::as_declared(c.expected, v)).count();
     let functions = crate::name::count(family.functions.len(), "function");
-    let degrees: Vec<String> = domain::degrees(family).iter().map(u32::to_string).collect();
-    let mut value =
-        format!("\n\n{functions} of degree {} on `{}`", degrees.join(", "), domain::describe(family));
+    let kind = domain::transcendental(family).map_or_else(
+        || {
+            let degrees: Vec<String> = domain::degrees(family).iter().map(u32::to_string).collect();
+            format!("of degree {}", degrees.join(", "))
+        },
+        String::from,
+    );
+    let mut value = format!("\n\n{functions} {kind} on `{}`", domain::describe(family));
     for shape in &family.shapes {
         value += &format!(", `{}`", family.declared(shape));
     }

@@ -98,7 +98,9 @@ impl Scope<'_> {
             }
             ExprKind::Tuple(_) => {
                 let error = self.error(expr.span, "points have no meaning in a family");
-                self.report(error.help("write a list of functions with square brackets, `[x, y]`"));
+                self.report(error.help(
+                    "the values of functions are numbers: write a function for each component, `b[0, 0] = …; b[0, 1] = …;`; a list has square brackets, `[x, y]`",
+                ));
                 None
             }
             ExprKind::Each(body, loops) => {
@@ -441,10 +443,7 @@ impl Scope<'_> {
             if let Some((_, value)) = all.iter().find(|(i, _)| *i == index) {
                 return Some(Value::Scalar(value.clone()));
             }
-            let error = self.error(span, format!("there is no shape parameter `{}`", label(name, &index)));
-            let last = all.last().or(all.first()).map(|(i, _)| label(name, i)).unwrap_or_default();
-            let first = all.first().map(|(i, _)| label(name, i)).unwrap_or_default();
-            self.report(error.help(format!("they run from `{first}` to `{last}`")));
+            self.no_such_shape(name, &label(name, &index), span);
             return None;
         }
         let value = match &base.kind {

@@ -130,7 +130,10 @@ pub(crate) fn checked_range(
         Some((a, b)) if reversed => error
             .label(format!("{a} is above {b}"))
             .help(format!("write the smaller end first: `{b} <= {name} <= {a}`")),
-        _ => error.help("let the range contain more than nothing"),
+        Some((a, _)) => {
+            error.label(format!("its ends are both {a}")).help("let its ends differ, or belong to it: `<=`")
+        }
+        None => error.help("let its ends differ, or belong to it: `<=`"),
     });
     None
 }

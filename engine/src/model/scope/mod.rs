@@ -8,6 +8,7 @@ use proc_macro2::Span;
 
 use super::angle::{Analytic, Anew};
 use super::budget::{Budget, SPLIT, TooLarge};
+use super::family::label;
 use super::formula::Value;
 use super::obligation::Obligation;
 use super::words::{
@@ -366,6 +367,19 @@ impl Scope<'_> {
         } else {
             None
         }
+    }
+
+    /// Reports an index that no shape parameter of a list has.
+    pub(crate) fn no_such_shape(&self, list: &str, written: &str, span: Span) {
+        let all = self.shapes_of(list);
+        let ends = all.first().zip(all.last());
+        let error = self.error(span, format!("there is no shape parameter `{written}`"));
+        self.report(match ends {
+            Some(((first, _), (last, _))) => {
+                error.help(format!("they run from `{}` to `{}`", label(list, first), label(list, last)))
+            }
+            None => error,
+        });
     }
 
     /// Reports a name that is declared although it already means something; whether it is free.

@@ -410,8 +410,12 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
     }
 }
 
+/// The values that a block fixes; of an angle the angle, not its tangent as well.
 fn describe_fixed(family: &Family, fixed: &[(Var, Fraction)]) -> String {
-    let parts: Vec<String> =
-        fixed.mapped(|(v, f)| format!("{} = {}", family.names[v.0], f.display(&family.names)));
-    parts.join(", ")
+    let is_fixed = |var: Var| fixed.iter().any(|(v, _)| *v == var);
+    let is_said = |var: Var| {
+        family.analytic.angles.iter().any(|a| a.var == var && a.itself != var && is_fixed(a.itself))
+    };
+    let said = fixed.iter().filter(|(v, _)| !is_said(*v)).listed();
+    said.mapped(|(v, f)| format!("{} = {}", family.names[v.0], f.display(&family.names))).join(", ")
 }

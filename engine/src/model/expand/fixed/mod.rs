@@ -78,6 +78,8 @@ pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]
                 scope.report(
                     error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
                 );
+            } else if scope.is_list_of_shapes(&binding.name.text) {
+                scope.no_such_shape(&binding.name.text, name, binding.name.span);
             } else {
                 scope.unknown(name, binding.name.span);
             }
@@ -114,9 +116,12 @@ pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]
             // at α = β, β = γ: the value of β is known.
             let end = value.display(&scope.names);
             let put = with.substitute(*var, value).map(|with| with.display(&scope.names));
+            let is_circle = with.substitute(*var, value).is_none_or(|with| with.depends_on(*user));
             let (user, own) = (&scope.names[user.0], user == var);
             scope.report(error.help(if own {
                 String::from("write a value in which it does not occur")
+            } else if is_circle {
+                format!("`{user}` and `{name}` are given by each other: leave one of them out")
             } else {
                 let put = put.unwrap_or_else(|| String::from("…"));
                 format!("put the value of `{name}` in its place: `{user} = {put}, {name} = {end}`")

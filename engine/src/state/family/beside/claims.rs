@@ -325,6 +325,10 @@ fn of_equation(family: &Family, found: &Counterexample) -> Option<String> {
     let exact = sample::exact(family, &rational);
     let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
     let text = numbers_written(family, &value.display(&family.names));
-    let number = family.analytic.number(&value).filter(|_| text.len() > LONGEST);
-    Some(number.map_or(text, |x| format!("about {}", super::decimal(x.to_f64()))))
+    let number = || {
+        let exact = family.analytic.number(&value).map(|x| x.to_f64());
+        exact.or_else(|| sample::decimal_at(family, &rational, &value))
+    };
+    let number = if text.len() > LONGEST { number() } else { None };
+    Some(number.map_or(text, |x| format!("about {}", super::decimal(x))))
 }

@@ -244,6 +244,14 @@ pub(in crate::state) fn about(family: &Family, point: &Values) -> Vec<(String, f
     family.analytic.angles.iter().filter(scaled).filter_map(of).listed()
 }
 
+/// About which value a function has at a point, where its enclosure tells.
+pub(super) fn decimal_at(family: &Family, point: &Values, f: &Fraction) -> Option<f64> {
+    let found = enclosures(family, point)?;
+    let f = found.exact.iter().rev().try_fold(f.clone(), |f, (var, x)| put(&f, *var, x))?;
+    let (low, high) = between(&f, point, &found.between)?;
+    Some((&low + &high).to_f64() / 2.0)
+}
+
 /// Numbers between which a function lies at a point of the domain where the variable that stands for a tangent, and the angle
 /// itself, are functions of π, exp(r) and tan(π/n); shape parameters have values.
 pub(super) fn about_at(
