@@ -123,3 +123,28 @@ fn other_functions_are_never_proved() {
     ));
     assert!(!matches!(rechecked(&cycloid)[0], Verdict::Refuted(_)), "{:?}", rechecked(&cycloid)[0]);
 }
+
+/// One Wronskian is negative, among others that are positive and take more work than there is; no proof is searched before.
+#[test]
+fn negative_wronskians_are_found_first() {
+    let found = counterexamples(
+        "family Falling {
+            domain 0 <= t <= 1;
+            b[0] = exp(t);
+            b[1] = 1;
+            b[2] = t^2;
+            refute totally_positive;
+        }
+        family Weighted {
+            domain 0 <= t <= 1;
+            shape 0 <= λ <= 1, 0 <= μ <= 2;
+            b[0] = exp(t);
+            b[1] = 1;
+            b[2] = λ*t^2;
+            b[3] = μ*t^3;
+            refute totally_positive;
+        }",
+    );
+    let of_the_first_two = |found: &String| found.starts_with("-exp(1) at ");
+    assert!(found.len() == 2 && found.iter().all(of_the_first_two), "{found:?}");
+}

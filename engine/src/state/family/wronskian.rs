@@ -18,7 +18,10 @@ use crate::algebra::work::Work;
 use crate::claim::Comparison;
 use crate::model::{Family, Function};
 
-/// The work for finding a point at which one is negative.
+/// The work for a first look for a point at which one is negative, before a proof is searched.
+pub(super) const FIRST_LOOK: u64 = 2_000_000;
+
+/// The work for finding such a point where there is no proof.
 pub(super) const WORK: u64 = 20_000_000;
 
 /// The Wronskians that are looked at: of one function each, of all pairs, and of neighbouring functions; those for which the work

@@ -158,7 +158,10 @@ fn combined<'f>(
 /// A point at which a statement fails, and the proof that it does whatever π and exp(r) are between their bounds.
 pub(in crate::state::family) type Whatever = (Counterexample, Proof);
 
-/// The first of some comparisons of a claim that fails at a point with π, exp(r), or an angle beside its sine, and the point.
+/// The work for a first look for a point at which each of several comparisons fails: those that hold take all that there is.
+const FIRST_LOOK: u64 = 1_000_000;
+
+/// One of some comparisons of a claim that fails at a point with π, exp(r), or an angle beside its sine, and the point.
 pub(in crate::state::family) fn refuted(
     family: &Family,
     claim: &Claim,
@@ -166,6 +169,7 @@ pub(in crate::state::family) fn refuted(
     only_mixed: bool,
 ) -> Option<(Said, Whatever)> {
     let there = family.where_fixed(claim.kind.fixed())?;
+    let mut open = Vec::new();
     for s in all {
         let Statement::Sign { value, .. } = &s.stated.statement else { continue };
         let value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
@@ -174,14 +178,22 @@ pub(in crate::state::family) fn refuted(
         } else {
             is_wider(family, &s.stated.statement)
         };
-        if !fits {
-            continue;
+        if fits {
+            open.push((s, value));
         }
-        let found = basis_prover::working(family.budget, &mut |work| {
-            super::refute(&there, &value, &s.stated.statement, work)
-        });
-        if let Some(found) = found {
-            return Some((s, found));
+    }
+    let rounds: &[u64] = if open.len() > 1 { &[FIRST_LOOK, u64::MAX] } else { &[u64::MAX] };
+    for units in rounds {
+        for k in 0..open.len() {
+            let (s, value) = &open[k];
+            let found = within(*units, &mut || {
+                basis_prover::working(family.budget, &mut |work| {
+                    super::refute(&there, value, &s.stated.statement, work)
+                })
+            });
+            if let Some(found) = found {
+                return Some((open.swap_remove(k).0, found));
+            }
         }
     }
     None
