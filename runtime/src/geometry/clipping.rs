@@ -43,6 +43,27 @@ pub(super) struct Outcome {
     pub(super) left: Vec<[[f64; 2]; 2]>,
 }
 
+/// A place of both parts some steps away, or on the way to it as far as neither of them ends.
+#[inline]
+pub(super) fn both_inside(from: [f64; 2], sides: [f64; 2], steps: [f64; 2]) -> [f64; 2] {
+    let mut share = 1.0_f64;
+    for k in 0..2 {
+        let left = if sides[k] > 0.0 { 1.0 - from[k] } else { from[k] };
+        if steps[k] > left {
+            share = share.min(left / steps[k]);
+        }
+    }
+    core::array::from_fn(|k| (from[k] + share * sides[k] * steps[k]).clamp(0.0, 1.0))
+}
+
+/// Extends intervals to a place.
+#[inline]
+pub(super) fn extend(intervals: &mut [[f64; 2]; 2], to: [f64; 2]) {
+    for (interval, x) in intervals.iter_mut().zip(to) {
+        *interval = [interval[0].min(x), interval[1].max(x)];
+    }
+}
+
 /// From where, and in which unit, pieces are seen: all components are at most 1 then.
 #[derive(Clone, Copy)]
 pub(super) struct View<'a> {
@@ -252,8 +273,8 @@ impl<const N: usize, const D: usize> Search<'_, N, D> {
             if !are_across(&plane.image(&nets[0]), &plane.image(&nets[1]), 80.0 * Self::NOISE) {
                 return Answer::Unknown;
             }
-            if !near {
-                self.add_end(at, found.reach);
+            if !near && !self.add_end(at, found.reach) {
+                return Answer::Unknown;
             }
             return Answer::Done;
         }
@@ -266,12 +287,13 @@ impl<const N: usize, const D: usize> Search<'_, N, D> {
         Answer::Done
     }
 
-    /// Adds the place at which a piece ends before it meets the other one, not farther from it than the accuracy.
+    /// Adds the place at which a piece ends before it meets the other one, not farther from it than the accuracy. Not if
+    /// they are almost parallel there, and bend away from each other before they are as far apart as slopes say.
     #[inline]
-    fn add_end(&mut self, at: [f64; 2], reach: [f64; 2]) {
+    fn add_end(&mut self, at: [f64; 2], reach: [f64; 2]) -> bool {
         if at.iter().all(|x| (0.0..=1.0).contains(x)) {
             // It belongs to the part on the other side.
-            return;
+            return true;
         }
         let end = at.map(|x| x.clamp(0.0, 1.0));
         let k = usize::from((at[1] - end[1]).abs() * reach[0] > (at[0] - end[0]).abs() * reach[1]);
@@ -282,17 +304,40 @@ impl<const N: usize, const D: usize> Search<'_, N, D> {
         });
         let mut foot = end;
         foot[1 - k] = (foot[1 - k] + along / square).clamp(0.0, 1.0);
-        let values = self.values(foot);
-        let distance = (0..D).fold(0.0, |sum, d| {
+        if self.square_distance(foot) > self.accuracy * self.accuracy {
+            return true;
+        }
+        let opposed = (0..D).map(|d| slopes[0][d] * slopes[1][d]).sum::<f64>() < 0.0;
+        let mut around = foot.map(|x| [x, x]);
+        for side in [1.0, -1.0] {
+            let second = if opposed { -side } else { side };
+            let aside = both_inside(foot, [side, second], reach.map(|reach| self.accuracy * reach));
+            if self.square_distance(aside) > 16.0 * self.accuracy * self.accuracy {
+                return false;
+            }
+            extend(&mut around, aside);
+        }
+        // Where one ends, the other one goes on alone.
+        for k in 0..2 {
+            let slope = (0..D).map(|d| slopes[k][d] * slopes[k][d]).sum::<f64>();
+            let alone = self.accuracy / Scalar::sqrt(slope);
+            for step in [alone, -alone] {
+                let mut aside = foot;
+                aside[k] = (aside[k] + step).clamp(0.0, 1.0);
+                extend(&mut around, aside);
+            }
+        }
+        self.outcome.near.push(around);
+        true
+    }
+
+    #[inline]
+    fn square_distance(&self, at: [f64; 2]) -> f64 {
+        let values = self.values(at);
+        (0..D).fold(0.0, |sum, d| {
             let apart = values[0][d] - values[1][d];
             sum + apart * apart
-        });
-        if distance <= self.accuracy * self.accuracy {
-            let room = [0, 1].map(|k| self.accuracy * reach[k]);
-            self.outcome.near.push(
-                [0, 1].map(|k| [(foot[k] - room[k]).clamp(0.0, 1.0), (foot[k] + room[k]).clamp(0.0, 1.0)]),
-            );
-        }
+        })
     }
 
     #[inline]

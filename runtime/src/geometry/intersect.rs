@@ -16,7 +16,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::CurvePiece;
-use super::beside::{self, Near, Straight, approach, dot, point, pseudo_inverse, state};
+use super::beside::{self, Near, Straight, approach, difference, dot, point, pseudo_inverse, state};
 use super::clipping::{self, View};
 use super::piece::{derivative, product};
 use super::{line, merged};
@@ -30,6 +30,9 @@ const STRAIGHT: f64 = 0.125;
 
 /// How far rounding errors take points that are one from each other, in the unit in which the curves have the size 1.
 const NOISE: f64 = 1e-12;
+
+/// From how many places a curve that turns is searched for the one at which it meets itself.
+const STARTS: usize = 24;
 
 /// How two curves meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -103,11 +106,14 @@ pub(crate) fn self_meetings(a: &[CurvePiece], accuracy: f64, epsilon: f64) -> Op
     let mut found = search.answers(a, a, accuracy, view);
     let ends = [a.first()?.domain()[0], a.last()?.domain()[1]];
     let near = 1e-9 * (ends[1] - ends[0]);
-    found.retain(|f| {
-        let is_inside = f.first[0] > ends[0] + near || f.second[1] < ends[1] - near;
-        let comes_back = f.kind == MeetingKind::Overlap || f.first[1] + near >= f.second[0];
-        is_inside || comes_back
-    });
+    let away = difference(&point(&seen, ends[0]), &point(&seen, ends[1]));
+    if dot(&away, &away) <= 4.0 * accuracy * accuracy {
+        found.retain(|f| {
+            let is_inside = f.first[0] > ends[0] + near || f.second[1] < ends[1] - near;
+            let comes_back = f.kind == MeetingKind::Overlap || f.first[1] + near >= f.second[0];
+            is_inside || comes_back
+        });
+    }
     Some(found)
 }
 
@@ -445,6 +451,9 @@ impl Answers {
                     *interval = [interval[0].min(lo), interval[1].max(hi)];
                 }
             }
+            for crossing in crossings.iter_mut().filter(|crossing| self.is_tangent(crossing.at)) {
+                crossing.kind = MeetingKind::Contact;
+            }
             found.extend(told_apart(crossings));
             return;
         }
@@ -466,9 +475,14 @@ impl Answers {
         let is_place = |at: [f64; 2], distance: f64, enough: f64| {
             at[0] < at[1] && distance <= enough && self.extent(at) > 2.0 * self.accuracy
         };
-        let (at, distance) = approach(a, b, [around[0][0], around[1][1]], around);
-        if is_place(at, distance, NOISE) {
-            return Some(at);
+        let mut starts: Vec<&Near> = near.iter().collect();
+        starts.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        let starts = starts.iter().take(STARTS).map(|near| near.at);
+        for start in core::iter::once([around[0][0], around[1][1]]).chain(starts) {
+            let (at, distance) = approach(a, b, start, around);
+            if is_place(at, distance, NOISE) {
+                return Some(at);
+            }
         }
         if extent <= 4.0 * Scalar::sqrt(self.accuracy) {
             return None;
@@ -500,6 +514,16 @@ impl Answers {
         first[1] >= second[0] || square <= 64.0 * self.accuracy * self.accuracy
     }
 
+    /// Whether the curves have one tangent at a place, up to what rounding errors make of a contact.
+    #[inline]
+    fn is_tangent(&self, at: [f64; 2]) -> bool {
+        let pieces = [0, 1].map(|k| super::local::piece_at(&self.curves[k], at[k]));
+        let [Some(a), Some(b)] = pieces else { return false };
+        let (_, [p, q]) = state(a, b, [a.place(at[0]), b.place(at[1])]);
+        let (pp, pq, qq) = (dot(&p, &p), dot(&p, &q), dot(&q, &q));
+        pp * qq - pq * pq <= 1e-11 * pp * qq
+    }
+
     /// Intervals around a crossing outside of which the curves are not near each other, as far as they are straight.
     #[inline]
     fn around(&self, at: [f64; 2]) -> [[f64; 2]; 2] {
@@ -508,22 +532,34 @@ impl Answers {
         let places = [a.place(at[0]), b.place(at[1])];
         let (_, columns) = state(a, b, places);
         let Some(rows) = pseudo_inverse(&columns) else { return at.map(|t| [t, t]) };
-        let mut reach = rows.map(|row| 2.0 * self.accuracy * Scalar::sqrt(dot(&row, &row)));
+        let reach = rows.map(|row| 2.0 * self.accuracy * Scalar::sqrt(dot(&row, &row)));
         let sign = if dot(&columns[0], &columns[1]) > 0.0 { -1.0 } else { 1.0 };
-        // Almost parallel ones are not straight as far as that.
-        let is_near = |steps: [f64; 2]| {
-            let (value, _) = state(a, b, [0, 1].map(|k| (places[k] + steps[k]).clamp(0.0, 1.0)));
-            dot(&value, &value) <= 16.0 * self.accuracy * self.accuracy
-        };
-        while reach[0].max(reach[1]) > 1e-12
-            && !(is_near([reach[0], sign * reach[1]]) && is_near([-reach[0], -sign * reach[1]]))
-        {
-            reach = reach.map(|r| 0.5 * r);
+        let mut around = places.map(|place| [place; 2]);
+        for side in [1.0, -1.0] {
+            // Almost parallel ones are not straight as far as that.
+            let is_near = |at: [f64; 2]| {
+                let (value, _) = state(a, b, at);
+                dot(&value, &value) <= 16.0 * self.accuracy * self.accuracy
+            };
+            let mut steps = reach;
+            let mut aside = clipping::both_inside(places, [side, side * sign], steps);
+            while steps[0].max(steps[1]) > 1e-12 && !is_near(aside) {
+                steps = steps.map(|step| 0.5 * step);
+                aside = clipping::both_inside(places, [side, side * sign], steps);
+            }
+            clipping::extend(&mut around, aside);
+        }
+        // Where one ends, the other one goes on alone.
+        for k in 0..2 {
+            let alone = 2.0 * self.accuracy / Scalar::sqrt(dot(&columns[k], &columns[k]));
+            for step in [alone, -alone] {
+                let mut aside = places;
+                aside[k] = (aside[k] + step).clamp(0.0, 1.0);
+                clipping::extend(&mut around, aside);
+            }
         }
         let pieces = [a, b];
-        [0, 1].map(|k| {
-            [-reach[k], reach[k]].map(|step| pieces[k].parameter((places[k] + step).clamp(0.0, 1.0)))
-        })
+        [0, 1].map(|k| around[k].map(|place| pieces[k].parameter(place)))
     }
 }
 

@@ -22,6 +22,8 @@ pub struct Case<const D: usize> {
     pub places: Vec<([f64; 2], Made)>,
     /// Intervals, in their own directions, between whose ends they are one curve.
     pub overlap: Option<[[f64; 2]; 2]>,
+    /// Whether the curves are made to run along each other, perhaps there and back.
+    pub along: bool,
 }
 
 pub const KINDS: usize = 19;
@@ -131,7 +133,7 @@ fn stretch(random: &mut Random) -> f64 {
 }
 
 fn case<const D: usize>(a: Points<D>, b: Points<D>, places: Vec<([f64; 2], Made)>) -> Case<D> {
-    Case { curves: [a, b], places, overlap: None }
+    Case { curves: [a, b], places, overlap: None, along: false }
 }
 
 fn moved<const D: usize>(curve: &mut Points<D>, from: [f64; D], to: [f64; D]) {
@@ -145,6 +147,7 @@ pub fn pair<const D: usize>(random: &mut Random, kind: usize) -> Case<D> {
     let mut case = if kind < 11 { rounded(random, kind) } else { exact(random, kind) };
     let largest = case.curves.iter().flat_map(|c| c.0.iter().flatten()).fold(0.0_f64, |a, x| a.max(x.abs()));
     let unit = 2.0_f64.powi(largest.max(1e-300).log2().ceil() as i32);
+    case.along = matches!(kind, 6..=8 | 16 | 17);
     for p in case.curves.iter_mut().flat_map(|c| c.0.iter_mut().flatten()) {
         *p /= unit;
     }
@@ -382,5 +385,5 @@ pub fn own<const D: usize>(random: &mut Random, kind: usize) -> Case<D> {
             .collect(),
         _ => Vec::new(),
     };
-    Case { curves: [curve.clone(), curve], places, overlap: None }
+    Case { curves: [curve.clone(), curve], places, overlap: None, along: kind == 4 }
 }

@@ -175,8 +175,9 @@ pub fn judge<const D: usize>(
     }
     for (k, one) in found.iter().enumerate() {
         for other in &found[..k] {
-            // A place beside an overlap may have parameters that are in its intervals.
-            let overlap = one.kind == MeetingKind::Overlap || other.kind == MeetingKind::Overlap;
+            // A place beside an overlap, or a short one that is a contact, may have parameters that are in its intervals.
+            let overlap =
+                case.along || one.kind == MeetingKind::Overlap || other.kind == MeetingKind::Overlap;
             if !overlap && (covers(one, other.at, 0.0) || covers(other, one.at, 0.0)) {
                 return Err(format!("twice: {one:?} {other:?}"));
             }
@@ -185,7 +186,7 @@ pub fn judge<const D: usize>(
             let between = [0, 1].map(|c| [one.at[c].min(other.at[c]), one.at[c].max(other.at[c])]);
             // Where a curve meets itself, the same curve does twice.
             let mirrored = a == b && (0..2).all(|k| (one.at[k] - other.at[1 - k]).abs() < 1e-6);
-            if mirrored {
+            if mirrored || case.along {
                 continue;
             }
             // Only one after the other: between crossings far apart of nearly parallel curves there is no more to be said.

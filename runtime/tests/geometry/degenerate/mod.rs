@@ -67,8 +67,7 @@ fn pairs_in<const D: usize>(seed: u64, count: usize) {
             let case = pair::<D>(random, kind);
             let scale = 2.0_f64.powi([0, 0, 0, 30, -30, 400, -400][random.below(7)]);
             // Curves that run along each other take the longer the smaller it is.
-            let along = matches!(kind, 6..=8 | 16 | 17);
-            let accuracy = if along { 1e-3 } else { [1e-3, 1e-6, 1e-9][random.below(3)] };
+            let accuracy = if case.along { 1e-3 } else { [1e-3, 1e-6, 1e-9][random.below(3)] };
             let [a, b] = &case.curves;
             let found = scaled(a, scale, |first| {
                 scaled(b, scale, |second| first.intersections(second, accuracy * scale).unwrap())
