@@ -2,23 +2,38 @@
 
 use basis_kernel::Proof;
 use basis_prover::collections::list::Listed;
-use basis_prover::{Failure, Shown, decide};
+use basis_prover::{Failure, Shown, decide, within};
 
 use super::verdict::Stated;
+
+/// The work for a first look at each of several statements, so that a hard one leaves something for the easy ones.
+const FIRST_LOOK: u64 = 60_000;
 
 /// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is
 /// known about it, one that is refuted before one that is undecided.
 pub(super) fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Failure)> {
-    let mut proofs = Vec::new();
+    let several = stated.len() > 1;
+    let mut proofs: Vec<Option<(String, Shown)>> = Vec::new();
+    let mut hard = Vec::new();
+    for (k, Stated { of, statement, symmetries, .. }) in stated.into_iter().enumerate() {
+        let mut first = || decide(statement.clone(), &symmetries, budget);
+        proofs.push(None);
+        match if several { within(FIRST_LOOK, &mut first) } else { first() } {
+            Ok(shown) => proofs[k] = Some((of, shown)),
+            Err(refuted @ Failure::Refuted(_)) => return Err((of, refuted)),
+            Err(_) if several => hard.push((k, of, statement, symmetries)),
+            Err(left) => return Err((of, left)),
+        }
+    }
     let mut undecided = None;
-    for Stated { of, statement, symmetries, .. } in stated {
+    for (k, of, statement, symmetries) in hard {
         match decide(statement, &symmetries, budget) {
-            Ok(shown) => proofs.push((of, shown)),
+            Ok(shown) => proofs[k] = Some((of, shown)),
             Err(refuted @ Failure::Refuted(_)) => return Err((of, refuted)),
             Err(left) => undecided = undecided.or(Some((of, left))),
         }
     }
-    undecided.map_or(Ok(proofs), Err)
+    undecided.map_or_else(|| Ok(proofs.into_iter().flatten().listed()), Err)
 }
 
 /// The proofs without the methods.

@@ -3,7 +3,7 @@
 use basis_prover::collections::list::Mapped;
 
 use super::verdict::{Verdict, as_declared};
-use crate::claim::{Claim, ClaimKind, Expected};
+use crate::claim::{Claim, ClaimKind, Comparison, Expected};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::subject::Subject;
 use crate::theorem::TheoremKind;
@@ -18,7 +18,25 @@ pub fn diagnose(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Option<D
     if matches!(claim.kind, ClaimKind::Rounding(_)) && matches!(verdict, Verdict::Undecided(_)) {
         return Some(diagnostic.help("claim a larger bound, or leave the claim out; `basis explain` shows the bounds that can be proved"));
     }
+    // More than this comes near to what a whole file may take.
+    const LARGEST: u32 = 10;
+    let is_open = matches!(verdict, Verdict::Undecided(_));
+    if is_open && matches!(claim.kind, ClaimKind::TotallyPositive) {
+        diagnostic = diagnostic.help("narrow the ranges, or leave it open: `conjecture totally_positive;`");
+    } else if is_open && subject.budget() >= LARGEST {
+        diagnostic = diagnostic.help(
+            "narrow the ranges, or state it in parts: what a whole file may take is the same with any budget",
+        );
+    }
     let Subject::Theorem(theorem) = subject else { return Some(diagnostic) };
+    let is_equation = matches!(
+        claim.kind,
+        ClaimKind::Scalar { comparison: Comparison::Equal, .. } | ClaimKind::Vector { .. }
+    );
+    if is_open && is_equation && !theorem.relations.is_empty() {
+        let help = "an equation between scalars is no assumption: solve it for one of them, `let c = …;`";
+        diagnostic = diagnostic.help(help);
+    }
     let of_products = theorem.products.iter().any(|(var, _)| claim.kind.depends_on(*var));
     Some(match verdict {
         Verdict::Undecided(_) if of_products => diagnostic.help(match theorem.kind {

@@ -148,3 +148,70 @@ fn negative_wronskians_are_found_first() {
     let of_the_first_two = |found: &String| found.starts_with("-exp(1) at ");
     assert!(found.len() == 2 && found.iter().all(of_the_first_two), "{found:?}");
 }
+
+/// Their spans have no functions that vanish as often as they must at both ends: proved by the functions themselves.
+#[test]
+fn positive_wronskians_are_enough() {
+    let found = counterexamples(
+        "family Exponential {
+            domain 0 <= t <= 1;
+            b[0] = exp(t);
+            b[1] = t;
+            prove totally_positive;
+        }
+        family Circle {
+            domain 0 <= t <= pi/2;
+            b[0] = cos(t);
+            b[1] = sin(t);
+            b[2] = t;
+            prove totally_positive;
+        }
+        family Catenary {
+            shape 0 < α;
+            domain 0 <= t <= α;
+            b[0] = 1;
+            b[1] = sinh(t) + t;
+            prove totally_positive;
+        }
+        family Inflection {
+            domain 0 <= t <= 1;
+            b[0] = exp(0);
+            b[1] = (1 + (2*t - 1)^3)*exp(t);
+            prove totally_positive;
+        }",
+    );
+    assert!(found.is_empty(), "{found:?}");
+}
+
+/// Almost the same ones: a Wronskian is negative next to an end, or a function vanishes inside, where the other Wronskians say
+/// nothing.
+#[test]
+fn other_wronskians_are_not_enough() {
+    let report = check(Source::text(
+        "claims.basis",
+        "family Early {
+            domain 0 <= t <= 1;
+            b[0] = exp(11/10*t);
+            b[1] = 1 + t;
+            prove totally_positive;
+        }
+        family Double {
+            domain 0 <= t <= 1;
+            b[0] = (2*t - 1)^2;
+            b[1] = (2*t - 1)^2*exp(t) + (1 - t)*t;
+            prove totally_positive;
+        }
+        family Turned {
+            domain 0 <= t <= pi/2;
+            b[0] = sin(t);
+            b[1] = cos(t);
+            b[2] = t;
+            prove totally_positive;
+        }",
+    ));
+    let verdicts = rechecked(&report);
+    assert_eq!(verdicts.len(), 3);
+    for verdict in verdicts {
+        assert!(!matches!(verdict, Verdict::Proved(_)), "{verdict:?}");
+    }
+}

@@ -32,7 +32,8 @@ const MAX_FUNCTIONS: usize = 7;
 
 /// What is left to decide where there is no proof; minors of such functions are not looked at.
 pub(super) const OPEN: &str = "no functions of the span were found that vanish at the ends as Bernstein polynomials do, of which these \
-                               are made by a totally nonnegative matrix";
+                               are made by a totally nonnegative matrix, nor could the Wronskians of neighbouring functions be shown \
+                               to be positive";
 
 /// Whether a variable or a shape parameter stands beside its sine or exponential in a function.
 pub(super) fn is_mixed(family: &Family) -> bool {

@@ -169,8 +169,24 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
     }
     let is_total = matches!(kind, ClaimKind::TotallyPositive);
     let plainly = matches!(saying, Saying::Plainly);
+    let by_wronskians = is_total
+        && match saying {
+            Saying::Enough(ways) => {
+                let first = ways.as_slice().first() == Some(&wronskian::BY_WRONSKIANS);
+                first && ways.next().is_some()
+            }
+            Saying::Found(ways) => ways.first() == Some(&wronskian::BY_WRONSKIANS),
+            Saying::Plainly | Saying::By(..) => false,
+        };
+    let inside;
+    let family = if by_wronskians {
+        inside = wronskian::inside(family);
+        &inside
+    } else {
+        family
+    };
     // What total positivity says plainly is only what must hold: its minors are not listed.
-    if is_total && !plainly && !chebyshev::is_mixed(family) {
+    if is_total && !plainly && !by_wronskians && !chebyshev::is_mixed(family) {
         return basis_prover::working(family.budget, &mut |work| total::said(family, work));
     }
     let mut parts = inequality::parts(family, kind.fixed());
@@ -184,8 +200,12 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
         return Some(rounding::statements(family, epsilons)?.into_iter().map(plain).listed());
     }
-    let expressions =
-        basis_prover::working(family.budget, &mut |work| expressions(family, kind, plainly, work))?;
+    let expressions = basis_prover::working(family.budget, &mut |work| {
+        if by_wronskians {
+            return wronskian::sufficient(family, work);
+        }
+        expressions(family, kind, plainly, work)
+    })?;
     let there = family.where_fixed(kind.fixed())?;
     let (mut all, mut sample) = (Vec::new(), None);
     for (number, part) in parts.iter().enumerate() {
@@ -510,16 +530,31 @@ fn decide_total(family: &Family, claim: &Claim) -> Verdict {
     {
         return verdict;
     }
-    let mut ways = Vec::new();
-    if let Some(enough) = said(family, claim, &mut Saying::Found(&mut ways))
-        && let Ok(shown) = all(enough.into_iter().map(|s| s.stated).listed(), family.budget)
-    {
-        return proved(family, claim, shown, ways);
+    let by = |mut ways: Vec<usize>| {
+        let enough = said(family, claim, &mut Saying::Found(&mut ways))?;
+        let shown = all(enough.into_iter().map(|s| s.stated).listed(), family.budget).ok()?;
+        Some(if ways.first() == Some(&wronskian::BY_WRONSKIANS) {
+            Verdict::Proved(Evidence::new(String::from(wronskian::METHOD), steps(shown)).by(ways))
+        } else {
+            proved(family, claim, shown, ways)
+        })
+    };
+    let wronskians = || by(vec![wronskian::BY_WRONSKIANS]);
+    let found = if chebyshev::is_mixed(family) {
+        within(wronskian::FIRST_PROOF, &mut || wronskians()).or_else(|| by(Vec::new()))
+    } else {
+        by(Vec::new())
+    };
+    if let Some(verdict) = found {
+        return verdict;
     }
     if let Some(witness) = basis_prover::working(family.budget, &mut |work| total::refutation(family, work)) {
         return Verdict::Refuted(Box::new(witness));
     }
     if let Some(verdict) = within(wronskian::WORK, &mut || refuted_by_wronskians(family, claim)) {
+        return verdict;
+    }
+    if let Some(verdict) = wronskians() {
         return verdict;
     }
     Verdict::Undecided(String::from(if family.functions.len() > total::MAX_FUNCTIONS {

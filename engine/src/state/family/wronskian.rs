@@ -1,4 +1,4 @@
-//! Functions that are not totally positive, by their Wronskians.
+//! Functions that are totally positive, and functions that are not, by their Wronskians.
 //!
 //! **Theorem.** Let all minors of (b[j](t_i)) at points t_0 < t_1 < … of an interval be ≥ 0. Then on the interval all Wronskians
 //! det(D(b[j], i)), i = 0, …, k, of functions j_0 < … < j_k are ≥ 0.
@@ -7,6 +7,15 @@
 //! it is the determinant of the divided differences, and these go to the derivatives over i! (S. Karlin, "Total Positivity", 1968,
 //! chapter 2). The products are > 0.
 //!
+//! **Theorem.** Let the Wronskians of all neighbouring functions j, j + 1, …, j + k be > 0 inside of the interval, that of all
+//! functions only ≥ 0. Then all minors of the functions are ≥ 0.
+//!
+//! *Proof.* At a point inside the numbers D(b[j], i) are a matrix, of which the minors of the rows 0, …, k and of neighbouring
+//! columns are > 0. So are those of any columns in ascending order (M. Fekete, by the identities between minors that differ in one
+//! column). A function c₀b[j₀] + … + cₖb[jₖ] whose Wronskians W(j₀), W(j₀, j₁), … are > 0 has at most k zeros inside (G. Pólya, by
+//! dividing by the first function and differentiating), and the minor at ascending points, which is an integral of such minors of
+//! the derivatives of the quotients b[jᵢ]/b[j₀], is > 0, and ≥ 0 where the last Wronskian is. At the ends it follows by continuity.
+//!
 //! Points at which a Wronskian is negative are found as of every expression, also where numbers like exp(1), or a variable beside its
 //! sine, occur in it; the minors themselves have values at many points in them, between which nothing relates.
 
@@ -14,6 +23,7 @@ use basis_prover::collections::list::{Listed, Mapped};
 
 use super::total::determinant;
 use crate::algebra::fraction::Fraction;
+use crate::algebra::range::{End, Range};
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
 use crate::model::{Family, Function};
@@ -23,6 +33,47 @@ pub(super) const FIRST_LOOK: u64 = 2_000_000;
 
 /// The work for finding such a point where there is no proof.
 pub(super) const WORK: u64 = 20_000_000;
+
+/// The work for a first proof, before another kind of proof gets all that there is.
+pub(super) const FIRST_PROOF: u64 = 2_000_000;
+
+/// The number that stands in certificates for a proof by Wronskians.
+pub(super) const BY_WRONSKIANS: usize = 100;
+
+/// A method in words.
+pub(super) const METHOD: &str = "positive Wronskians of neighbouring functions";
+
+/// The family on its domain without ends.
+pub(super) fn inside(family: &Family) -> Family {
+    let mut inside = family.clone();
+    for parameter in &mut inside.domain {
+        let open = |end: &End| end.value().map_or(End::Infinite, |x| End::Excluded(x.clone()));
+        parameter.range = Range { low: open(&parameter.range.low), high: open(&parameter.range.high) };
+    }
+    inside
+}
+
+/// What is enough for all minors to be ≥ 0; `None` when the work is spent.
+pub(super) fn sufficient(family: &Family, work: &mut Work) -> Option<Vec<(String, Fraction, Comparison)>> {
+    let count = family.functions.len();
+    let mut jets = family.functions.mapped(|f| vec![f.value.clone()]);
+    let mut all = Vec::new();
+    for size in 1..=count {
+        if size > 1 {
+            differentiate(family, &mut jets, work)?;
+        }
+        for first in 0..=count - size {
+            let rows = jets[first..first + size].to_vec();
+            let value = family.analytic.reduced(determinant(rows, work)?);
+            let labels = (first..first + size).map(|k| family.function_label(k)).listed();
+            let of =
+                if size == 1 { labels[0].clone() } else { format!("Wronskian of {}", labels.join(", ")) };
+            let comparison = if size == count { Comparison::GreaterEqual } else { Comparison::Greater };
+            all.push((of, value, comparison));
+        }
+    }
+    Some(all)
+}
 
 /// The Wronskians that are looked at: of one function each, of all pairs, and of neighbouring functions; those for which the work
 /// suffices.

@@ -341,6 +341,13 @@ fn of_equation(family: &Family, found: &Counterexample) -> Option<String> {
         let exact = family.analytic.number(&value).map(|x| x.to_f64());
         exact.or_else(|| sample::decimal_at(family, &rational, &value))
     };
-    let number = if text.len() > LONGEST { number() } else { None };
-    Some(number.map_or(text, |x| format!("about {}", super::decimal(x))))
+    // A parameter beside its sine, which is a number here, says nothing about the size.
+    let open = family.analytic.angles.iter().any(|a| a.itself != a.var && value.depends_on(a.itself));
+    let about =
+        (open || text.len() > LONGEST).then(number).flatten().map(|x| format!("about {}", super::decimal(x)));
+    Some(match about {
+        Some(about) if text.len() > LONGEST => about,
+        Some(about) => format!("{text} ({about})"),
+        None => text,
+    })
 }
