@@ -254,8 +254,11 @@ impl Table<'_> {
         let inside = inner.as_ref().is_some_and(|(x, error)| {
             [x.clone(), x + error, x - error].iter().any(|x| parameter.range.contains(x))
         });
-        // Where the domain ends at a shape parameter with a wrong value, that is the mistake.
-        let follows = role == Role::At && !self.found.is_empty() && family.analytic.angle(var).is_some();
+        // Where the domain ends at a shape parameter with a wrong value, or without one, that is the mistake.
+        let follows = role == Role::At
+            && family.analytic.angle(var).is_some_and(|angle| {
+                !self.found.is_empty() || [&angle.low, &angle.width].iter().any(|f| self.known(f).is_none())
+            });
         if !follows && (inner.is_none() || !inside && !self.anyway) {
             let message = match family.analytic.angle(var).map(|angle| angle.kind) {
                 Some(Kind::Hyperbolic) if inner.is_none() && !tangent => {

@@ -1,4 +1,4 @@
-//! What is written for nothing: shape parameters that nothing depends on, claims that are written twice.
+//! What is written for nothing: shape and index parameters that nothing depends on, claims that are written twice.
 
 use basis_prover::collections::sort::sort;
 use proc_macro2::Span;
@@ -111,22 +111,37 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
             StatementKind::Assume(relation) => in_relation(relation, &mut used),
             StatementKind::Let(def) => names(&def.value, &mut used),
             StatementKind::Function(def) | StatementKind::Raise(def) => {
+                for index in &def.indices {
+                    names(index, &mut used);
+                }
                 names(&def.value, &mut used);
                 for formula in &def.further {
                     names(formula, &mut used);
                 }
                 in_loops(&def.loops, &mut used);
             }
-            StatementKind::Base(_, functions) => {
+            StatementKind::Base(order, functions) => {
+                used.push(&order.name.text);
                 for def in functions {
                     names(&def.value, &mut used);
                 }
             }
-            StatementKind::Claim(claim) => in_claim(&claim.kind, &mut used),
+            StatementKind::Claim(claim) => {
+                in_claim(&claim.kind, &mut used);
+                in_loops(&claim.loops, &mut used);
+            }
             StatementKind::Budget(_) => {}
         }
     }
     sort(&mut used);
+    for order in &written.orders {
+        let name = order.name.text.as_str();
+        if used.binary_search(&name).is_err() {
+            let message = format!("the index parameter `{name}` is never used");
+            let warning = Diagnostic::error(place(order.name.span), message).warning();
+            all.push(warning.help("leave it out, or let it run: `b[i] = … for i in 0..=n`"));
+        }
+    }
     // What is given by `let` has the name, if a parameter and a name were alike that would be an error.
     for (name, span) in declared {
         if used.binary_search(&name).is_err() {
@@ -263,7 +278,11 @@ fn in_claim<'e>(claim: &'e ClaimKind, used: &mut Vec<&'e str>) {
                 in_bindings(e, used);
             }
         }
-        ClaimKind::Continuity(_, next) => in_bindings(next, used),
+        ClaimKind::Continuity(order, next) => {
+            names(order, used);
+            in_bindings(next, used);
+        }
+        ClaimKind::Smooth(order) | ClaimKind::Rounding(order) => names(order, used),
         ClaimKind::Relation(relation) => in_relation(relation, used),
         ClaimKind::At(bindings, relations) => {
             in_bindings(bindings, used);

@@ -27,8 +27,11 @@ pub(crate) const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
 /// Names that papers have for basis functions.
 pub(crate) const FUNCTIONS: [&str; 8] = ["b", "B", "N", "f", "F", "phi", "φ", "M"];
 
+/// Names that papers have for the variable of the domain.
+pub(crate) const VARIABLES: [&str; 10] = ["s", "t", "u", "v", "x", "y", "z", "ξ", "θ", "φ"];
+
 /// What to write for a function under a name from elsewhere; the argument stands for `…`.
-pub(crate) const OTHER_NAMES: [(&str, &str); 26] = [
+pub(crate) const OTHER_NAMES: [(&str, &str); 31] = [
     ("int", "integral(…)"),
     ("integrate", "integral(…)"),
     ("Integrate", "integral(…)"),
@@ -55,4 +58,9 @@ pub(crate) const OTHER_NAMES: [(&str, &str); 26] = [
     ("Cos", "cos(…)"),
     ("Tan", "tan(…)"),
     ("Exp", "exp(…)"),
+    ("Σ", "sum(b[i] for i in 0..=3)"),
+    ("Π", "product(… for i in 0..=3)"),
+    ("det", "a*d - b*c"),
+    ("wronskian", "b[0]*D(b[1]) - D(b[0])*b[1]"),
+    ("Wronskian", "b[0]*D(b[1]) - D(b[0])*b[1]"),
 ];

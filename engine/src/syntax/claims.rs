@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
-use super::error::{error, is_missing_semicolon};
+use super::error::{error, is_missing_operator, is_missing_semicolon};
 use super::expr::{expr, loops};
 use super::tokens::{comparison, join, name, unexpected};
 use super::words::{PROPERTIES, at_word, equals, take_word, text_of};
@@ -35,6 +35,10 @@ pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
             kind
         }
         None if at_word(input, "at") => at(input)?,
+        None if input.peek(Token![!]) => {
+            let help = "write `refute …;` to claim that something is false";
+            return Err(error(input.span(), "`!` does not begin a claim", help));
+        }
         None if two_words(input) => return Err(unknown_property(input)),
         None => ClaimKind::Relation(relation(input)?),
     };
@@ -65,6 +69,9 @@ fn two_words(input: ParseStream<'_>) -> bool {
 /// Functions with which a claim may begin.
 const CALLED: [&str; 4] = ["D", "integral", "sum", "product"];
 
+/// A claim is about all values without being told so.
+const FOR_ALL: &str = "a claim is about all values of its parameters; the loop of an index variable stands behind it: `b[i] >= 0 for i in 0..=3`";
+
 /// The error for words that name no property.
 fn unknown_property(input: ParseStream<'_>) -> syn::Error {
     let Some((word, after)) = input.cursor().ident() else { return unexpected(input, "a claim") };
@@ -72,6 +79,18 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
     let next = after.ident().map(|(word, _)| word.to_string()).unwrap_or_default();
     let help = match nearest(&text) {
         _ if text == "not" => format!("`refute {next};` claims that it is false"),
+        _ if ["for", "forall", "all", "every", "each"].contains(&text.as_str()) => {
+            let message = format!("`{text}` does not begin a claim");
+            return error(word.span(), message, FOR_ALL);
+        }
+        _ if ["when", "where", "if", "with"].contains(&text.as_str()) => {
+            let message = format!("`{text}` does not begin a claim");
+            let help = "values are fixed by `at`: `prove at λ = 0 { b[0] = 1; }`";
+            return error(word.span(), message, help);
+        }
+        _ if PROPERTIES.contains(&next.as_str()) => format!(
+            "`{next}` is claimed of all functions, `prove {next};`; of one function write an inequality, `b[0] >= 0`"
+        ),
         _ if CALLED.contains(&text.as_str()) => {
             let message = format!("the argument of `{text}` has no brackets");
             return error(word.span(), message, format!("write `{text}({next})`"));
@@ -96,7 +115,7 @@ fn nearest(text: &str) -> Option<&'static str> {
 }
 
 /// Properties that papers name and the language says otherwise.
-const ELSEWHERE: [(&str, &str); 8] = [
+const ELSEWHERE: [(&str, &str); 10] = [
     ("positive positivity", "claim `nonnegative`, or `b > 0` without zeros"),
     (
         "convex_hull convex_hull_property affine_invariance",
@@ -111,6 +130,8 @@ const ELSEWHERE: [(&str, &str); 8] = [
         "interpolation interpolatory endpoint_interpolation end_point_interpolation",
         "claim the values at the ends: `prove at t = 0 { b = [1, 0, 0]; }`",
     ),
+    ("TP NTP STP total_positivity", "did you mean `totally_positive`?"),
+    ("C G", "write `smooth(2)` of functions on several spans, `continuity(2)` of neighbouring segments"),
     ("variation_diminishing shape_preserving", "it follows from `totally_positive` and `partition_of_unity`"),
     ("normalized normalised normalization", "did you mean `partition_of_unity`?"),
     ("basis linearly_independent linear_independence", "did you mean `independent`?"),
@@ -174,6 +195,11 @@ fn neighbours(input: ParseStream<'_>) -> Result<Vec<Binding>> {
         return Ok(Vec::new());
     }
     take_word(input)?;
+    if input.peek(Token![;]) {
+        let help =
+            "write `with λ = 1/2` for the value there; a parameter that is not named is another free number";
+        return Err(error(input.span(), "`with` needs a shape value of the next segment", help));
+    }
     bindings(input)
 }
 
@@ -194,6 +220,12 @@ fn exceptions(input: ParseStream<'_>, before: proc_macro2::Span) -> Result<Vec<V
         return Ok(all);
     }
     take_word(input)?;
+    if at_word(input, "at") {
+        return Err(error(input.span(), "`at` does not follow after `except`", "write `except λ = -3`"));
+    }
+    if input.peek(Token![;]) {
+        return Err(error(before, "`except` without a value", "write `except λ = -3`"));
+    }
     loop {
         let exception = match input.cursor().token_tree() {
             Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
@@ -252,7 +284,16 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
             let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument, `b[0](t/2)` for `0 <= t <= 1/2`; for some of the shape values declare a family with that range";
             return error(start.span(), "`at` fixes values, this is a range", help);
         }
-        if !is_missing_semicolon(&e) {
+        if input.peek(Token![in]) {
+            let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument, `b[0](t/2)` for `0 <= t <= 1/2`";
+            return error(input.span(), "`at` fixes values, this is a range", help);
+        }
+        if input.peek(syn::token::Brace) {
+            let help = "write `prove at t = 0 { b[0] = 1; }`, with a comma between values only";
+            return error(input.span(), e.to_string(), help);
+        }
+        let braces = is_missing_semicolon(&e) || is_missing_operator(&e) && begins_equation(input);
+        if !braces {
             return e;
         }
         // What follows on the right is meant to hold there.
@@ -289,6 +330,20 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
         ));
     }
     Ok(ClaimKind::At(fixed, relations))
+}
+
+/// Whether an equation or inequality follows, and not the block with them.
+fn begins_equation(input: ParseStream<'_>) -> bool {
+    let mut rest = input.cursor();
+    while let Some((token, after)) = rest.token_tree() {
+        match token {
+            TokenTree::Punct(p) if "<>=".contains(p.as_char()) => return true,
+            TokenTree::Punct(p) if p.as_char() == ';' => return false,
+            TokenTree::Group(g) if g.delimiter() == Delimiter::Brace => return false,
+            _ => rest = after,
+        }
+    }
+    false
 }
 
 /// What is assumed of shape values: a relation.
@@ -351,6 +406,9 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
             Some(word) if input.peek(Token![,]) || input.peek(Token![&&]) => {
                 format!("write a statement for each claim: `prove {word};` and the next one by itself")
             }
+            None if input.peek(Token![,]) => String::from(
+                "write a statement for each claim, `prove b[0] >= 0;`, or a loop, `b[i] >= 0 for i in 0..=1`",
+            ),
             _ => String::from("a claim is an equation or an inequality"),
         };
         let found = unexpected(input, "`=`, `<=`, `>=`, `<` or `>`").to_string();

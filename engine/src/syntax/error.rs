@@ -113,6 +113,14 @@ pub(super) fn is_missing_semicolon(error: &syn::Error) -> bool {
     error.to_string().starts_with(NO_SEMICOLON)
 }
 
+/// What the message about two factors side by side begins with.
+pub(super) const NO_OPERATOR: &str = "an operator is missing before ";
+
+/// Whether an error is about two factors side by side.
+pub(super) fn is_missing_operator(error: &syn::Error) -> bool {
+    error.to_string().starts_with(NO_OPERATOR)
+}
+
 impl From<syn::Error> for SyntaxError {
     fn from(error: syn::Error) -> Self {
         let text = error.to_string();

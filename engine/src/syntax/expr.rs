@@ -9,10 +9,10 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Result, Token};
 
-use super::error::{error, missing_semicolon};
+use super::error::{NO_OPERATOR, error, missing_semicolon};
 use super::glyphs::MAX_NESTING;
 use super::tokens::{comparison, join, name, number, unexpected};
-use super::words::PROPERTIES;
+use super::words::{PROPERTIES, text_of};
 use super::{Condition, Expr, ExprKind, Generator, IndexRange, Loops, Role, Sign};
 
 /// The most index variables of one `for`, and the most indices of a function.
@@ -152,7 +152,7 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         }
         "is" => "write `==`, `>=`, …, or of two vectors `a parallel b`",
         "where" | "when" | "with" => {
-            "ranges are declared, `shape 0 <= λ <= 1;` (in theorems `scalar`), conditions `assume λ <= μ;`; index variables follow after `for`"
+            "ranges are declared, `shape 0 <= λ <= 1;` (in theorems `scalar`), conditions `assume λ <= μ;`; index variables follow after `for`, and what holds of them and of index parameters after `if`: `if n > 1`"
         }
         "at" => "a place comes first: `prove at t = 0 { b[0] = 1; }`",
         "triangle" | "tetrahedron" => {
@@ -160,7 +160,7 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         }
         _ => "write `*` between the factors of a product",
     };
-    Err(error(input.span(), format!("an operator is missing before `{found}`"), help))
+    Err(error(input.span(), format!("{NO_OPERATOR}`{found}`"), help))
 }
 
 /// Of `integral(…) dt` what is meant by `dt` goes without saying.
@@ -219,13 +219,18 @@ fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
 /// `sin^2(t)`, as papers write it, is an error with what to write in its place.
 fn power_of_function(input: ParseStream<'_>, base: &Expr) -> Result<()> {
     let ExprKind::Name(name) = &base.kind else { return Ok(()) };
-    if !FUNCTIONS.contains(&name.as_str()) {
+    if name != "D" && !FUNCTIONS.contains(&name.as_str()) {
         return Ok(());
     }
     let Some((TokenTree::Literal(exponent), after)) = input.cursor().token_tree() else { return Ok(()) };
-    let Some((TokenTree::Group(g), _)) = after.token_tree() else { return Ok(()) };
-    let argument = g.stream().to_string();
-    let argument = if argument.chars().count() > LONGEST_SHOWN { "…" } else { &argument };
+    let Some((_, _, behind)) = after.group(Delimiter::Parenthesis) else { return Ok(()) };
+    let argument = text_of(after, behind);
+    let argument = argument.trim_start_matches('(').trim_end_matches(')');
+    let argument = if argument.chars().count() > LONGEST_SHOWN { "…" } else { argument };
+    if name == "D" {
+        let message = "the order of a derivative is no exponent";
+        return Err(error(exponent.span(), message, format!("write `D({argument}, {exponent})`")));
+    }
     let message = format!("the exponent stands between `{name}` and its argument");
     Err(error(exponent.span(), message, format!("write `{name}({argument})^{exponent}`")))
 }
@@ -364,6 +369,11 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             let found = unexpected(input, "a number, a name or `(`").to_string();
             Err(error(span, found, "leave the `:` out"))
         }
+        Some((TokenTree::Punct(_), _)) if input.peek(Token![...]) || input.peek(Token![..]) => Err(error(
+            span,
+            "dots do not stand for the terms between others",
+            "write `sum(b[i] for i in 0..=3)`, or `product(…)`",
+        )),
         Some((TokenTree::Punct(p), after)) if p.as_char() == '.' && after.literal().is_some() => {
             let found = unexpected(input, "a number, a name or `(`").to_string();
             Err(error(span, found, "a number begins with a digit: write `0.5`"))
@@ -433,6 +443,8 @@ fn separator(content: ParseStream<'_>) -> Result<()> {
             "write the loop of a sum behind the expression, `sum(t^i for i in 0..=3)`, the bounds of an integral one by one, `integral(b[0], t, 0, 1)`"
         } else if content.peek(Token![if]) {
             CONDITIONS
+        } else if content.peek(Token![..]) {
+            "a part of a list is written with a loop, `b[i] >= 0 for i in 0..=2`, a sum as `sum(b[i] for i in 0..=2)`"
         } else {
             return Err(found);
         };
@@ -583,18 +595,36 @@ const NO_SCALAR: &str =
 pub(super) fn index_range(input: ParseStream<'_>, hint: &str) -> Result<IndexRange> {
     if input.cursor().ident().is_none() {
         let found = unexpected(input, "the name of an index").to_string();
-        return Err(error(input.span(), found, format!("write a range, such as `i in 0..=3`{hint}")));
+        let help = if input.peek(syn::token::Paren) {
+            String::from(
+                "index variables stand without parentheses: `i in 0..=3`, or `i, j, k in simplex(2)` for all with the sum 2",
+            )
+        } else {
+            format!("write a range, such as `i in 0..=3`{hint}")
+        };
+        return Err(error(input.span(), found, help));
     }
     let name = name(input)?;
     if !input.peek(Token![in]) {
         let found = unexpected(input, &format!("`in` after `{}`", name.text)).to_string();
         let name = if name.text == "all" { "i" } else { &name.text };
-        let help = format!("write a range, such as `{name} in 0..=3`{hint}");
+        let help = if input.peek(Token![=]) && !hint.is_empty() {
+            format!(
+                "an index variable runs over a range, `for {name} in 0..=3`; the value of a parameter is fixed before the formula, `at {name} = 0 {{ b[0] = 1; }}`, that of an index parameter behind it, `if {name} == 2`"
+            )
+        } else if input.peek(Token![+]) {
+            String::from("all indices with a sum are written `i, j, k in simplex(2)`")
+        } else {
+            format!("write a range, such as `{name} in 0..=3`{hint}")
+        };
         return Err(error(input.span(), found, help));
     }
     input.parse::<Token![in]>()?;
     let low = expr(input)?;
     let inclusive = input.peek(Token![..=]);
+    if input.peek(Token![...]) {
+        return Err(error(input.span(), "`...` is not a sign of a range", "write `0..=3` for 0, 1, 2, 3"));
+    }
     if inclusive {
         input.parse::<Token![..=]>()?;
     } else if input.peek(Token![..]) {

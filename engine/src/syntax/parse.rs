@@ -63,12 +63,15 @@ pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
                     e.place = SyntaxPlace::Bytes(range);
                 }
             }
-            // What follows from a gap in the same statement, or is said of the word before it, is not another error.
+            // What follows from a gap in the same statement, or is said of a word before it, is not another error.
             let follows = |e: &SyntaxError| match &e.place {
                 SyntaxPlace::Bytes(range) => readable.gaps.iter().any(|gap| {
-                    let between = readable.text.get(*gap..range.start);
+                    let between = |from: usize, to: usize, ends: &[char]| {
+                        readable.text.get(from..to).is_some_and(|between| !between.contains(ends))
+                    };
                     (range.start..=range.end).contains(gap)
-                        || between.is_some_and(|between| !between.contains([';', '{', '}']))
+                        || between(*gap, range.start, &[';', '{', '}'])
+                        || between(range.end, *gap, &[';', '{', '}', '\n'])
                 }),
                 SyntaxPlace::Token(_) => false,
             };

@@ -35,12 +35,18 @@ pub(super) const STATEMENTS: [&str; 11] = [
 /// The most spans of a domain.
 pub(crate) const MAX_SPANS: usize = 64;
 
+const NAME_HELP: &str =
+    "a name begins with a letter, and is made of letters, digits and `_`: `family Cubic3 { … }`";
+
 const DOMAIN_HELP: &str = "write a range with two ends, such as `domain 0 <= t <= 1;`";
 
 /// `family Name(n in 1..=3) { … }`, after its doc comment.
 pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut SyntaxErrors) -> Result<Family> {
     take_word(input)?;
-    let name = name(input)?;
+    let name = name(input).map_err(|e| match input.cursor().literal() {
+        Some((number, _)) => error(number.span(), e.to_string(), NAME_HELP),
+        None => e,
+    })?;
     let mut orders = Vec::new();
     if let Some((TokenTree::Group(g), _)) = input.cursor().token_tree()
         && g.delimiter() == Delimiter::Parenthesis
@@ -60,7 +66,15 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
     }
     if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
     {
-        return Err(unexpected(input, &format!("`{{` after `family {}`", name.text)));
+        let found = unexpected(input, &format!("`{{` after `family {}`", name.text));
+        if !input.peek(Token![-]) && !input.peek(Token![.]) {
+            return Err(found);
+        }
+        // What was a part of the name is not read as another mistake.
+        while !input.is_empty() && !input.peek(syn::token::Brace) {
+            input.parse::<TokenTree>()?;
+        }
+        return Err(error(found.span(), found.to_string(), NAME_HELP));
     }
     let content;
     syn::braced!(content in input);
@@ -242,6 +256,10 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
     }
     match kind {
         Some(StatementKind::Claim(claim)) if matches!(claim.kind, super::ClaimKind::At(..)) => {
+            if input.peek(Token![for]) {
+                let help = "an index variable belongs to one equation; what it is at a place is its value there: `D(b[i])(i/n) = 0 for i in 1..n;`";
+                return Err(error(input.span(), "`for` does not follow after a block", help));
+            }
             return Ok(claim.keyword);
         }
         Some(StatementKind::Base(order, _)) => return Ok(order.name.span),
@@ -250,6 +268,20 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
     let help = match kind {
         Some(StatementKind::Claim(_)) if at_word(input, "except") => {
             "`except` belongs to `independent`; for other claims narrow the range of the parameter"
+        }
+        Some(StatementKind::Claim(_)) if input.peek(Token![,]) => {
+            "write a statement for each claim: a statement ends with `;`"
+        }
+        Some(StatementKind::Claim(claim))
+            if matches!(claim.kind, super::ClaimKind::Independent(_)) && input.cursor().ident().is_some() =>
+        {
+            "values that are left out follow after `except`: `independent except λ = -3`"
+        }
+        Some(StatementKind::Function(_)) if input.peek(Token![||]) => {
+            "the formulas on neighbouring spans are separated by one bar: `b[0] = t | 2 - t;`"
+        }
+        Some(StatementKind::Function(_)) if begins_values(input) => {
+            "the range of an index follows after `for`: `b[i] = t^i for i in 0..=2;`"
         }
         Some(StatementKind::Claim(_)) if input.peek(Token![||]) || input.peek(Token![&&]) => {
             "write two claims: `&&` and `||` stand between conditions, behind `if`"
@@ -280,6 +312,16 @@ fn ends_in_number(expr: &Expr) -> bool {
         ExprKind::Product(parts) => parts.last().is_some_and(|(_, last)| ends_in_number(last)),
         _ => false,
     }
+}
+
+/// Whether a comma and values of a name follow, as in `, i = 0, 1, 2`.
+fn begins_values(input: ParseStream<'_>) -> bool {
+    let Some((_, after)) = input.cursor().punct().filter(|(comma, _)| comma.as_char() == ',') else {
+        return false;
+    };
+    let Some((_, after)) = after.ident() else { return false };
+    after.punct().is_some_and(|(sign, _)| sign.as_char() == '=')
+        || after.ident().is_some_and(|(word, _)| word == "in")
 }
 
 /// Whether a comma and a number follow, as in `0,5`.
@@ -359,6 +401,11 @@ fn function(input: ParseStream<'_>) -> Result<FunctionDef> {
         let message = format!("a function has at most {MAX_INDICES} indices");
         return Err(error(name.span, message, "number the functions with fewer indices"));
     }
+    if input.peek(syn::token::Bracket) {
+        let found = unexpected(input, &format!("`=` after `{}[…]`", name.text));
+        let help = format!("all indices stand in one pair of brackets: `{}[1, 0, 0] = …;`", name.text);
+        return Err(error(found.span(), found.to_string(), help));
+    }
     equals(input, &name)?;
     let value = expr(input)?;
     let mut further = Vec::new();
@@ -413,7 +460,10 @@ fn domain(input: ParseStream<'_>) -> Result<StatementKind> {
                     ));
                 }
             }
-            None => ranges.push(range(input, DOMAIN_HELP)?),
+            None => {
+                no_equation(input)?;
+                ranges.push(range(input, DOMAIN_HELP)?);
+            }
         }
         if !input.peek(Token![,]) {
             break;
@@ -425,6 +475,21 @@ fn domain(input: ParseStream<'_>) -> Result<StatementKind> {
     }
     factors.extend(ranges.into_iter().map(Factor::Range));
     Ok(StatementKind::Product(factors))
+}
+
+/// Refuses an equation in a domain, of barycentric coordinates or of a function.
+fn no_equation(input: ParseStream<'_>) -> Result<()> {
+    let ahead = input.fork();
+    let Ok(left) = expr(&ahead) else { return Ok(()) };
+    let help = match left.kind {
+        _ if !ahead.peek(Token![=]) => return Ok(()),
+        ExprKind::Sum(_) => {
+            "barycentric coordinates, whose sum is 1, are declared by `domain triangle (u, v, w);` or `domain tetrahedron (u, v, w, x);`"
+        }
+        ExprKind::Index(..) => "functions are statements of their own: the domain ends with `;`",
+        _ => return Ok(()),
+    };
+    Err(error(ahead.span(), "a range is made of inequalities, this is an equation", help))
 }
 
 /// `triangle (u, v, w)` or `tetrahedron (u, v, w, x)`; `None` when something else follows.

@@ -100,6 +100,9 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
         let bracket = matches!(after.token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket);
         let help = match word.as_str() {
             _ if bracket => format!("write `let {word}[…] = …;` to determine a control point"),
+            _ if after.punct().is_some_and(|(sign, _)| sign.as_char() == '=') => format!(
+                "write `curve {word} = Bernstein(3);` for a curve over a family, `let {word} = …;` for a number or a point"
+            ),
             "point" | "vector" => String::from(
                 "points are control points: `curve P = Bernstein(1);` has any two points, `P[0]` and `P[1]`",
             ),
@@ -197,7 +200,7 @@ fn assertion(input: ParseStream<'_>, expected: Expected) -> Result<Assertion> {
                 "that a positive factor exists is claimed by `a parallel b`; any other one is written out"
             }
             "forall" | "all" | "for" => {
-                "a claim is about all values in the declared ranges: `scalar 0 <= c <= 1;`"
+                "a claim is about all values in the declared ranges, `scalar 0 <= c <= 1;`; the loop of an index variable stands behind it: `P[i] == Q[i] for i in 0..=3`"
             }
             _ => "",
         };
@@ -235,6 +238,18 @@ fn no_relation(input: ParseStream<'_>, left: &Expr) -> syn::Error {
     if let (ExprKind::Name(word), true) = (&left.kind, input.peek(Token![;])) {
         let message = format!("`{word}` alone is not a claim of a theorem");
         let help = "properties such as `nonnegative` are claims of families; here write `… == …`, `… > …` or `… parallel …`";
+        return error(left.span, message, help);
+    }
+    let joint = |word: &str| {
+        let order = word.strip_prefix(['C', 'G', 'c', 'g']).unwrap_or("0");
+        word == "continuity" || word == "smooth" || word.len() == 2 && order.parse::<u8>().is_ok()
+    };
+    if let ExprKind::Call(callee, _) = &left.kind
+        && let ExprKind::Name(word) = &callee.kind
+        && joint(word)
+    {
+        let message = format!("`{word}` is not a claim of a theorem");
+        let help = "write the equations of the joint: `prove P(1) == Q(0);` and `prove D(P)(1) == D(Q)(0);`, or `… parallel …` for the same tangent";
         return error(left.span, message, help);
     }
     let help = if input.peek(Token![.]) {

@@ -123,17 +123,17 @@ pub(super) fn number(literal: &Literal) -> Result<Rational> {
 
 /// A comparison sign, if one follows.
 pub(super) fn comparison(input: ParseStream<'_>) -> Result<Option<Comparison>> {
-    for (is_here, wrong, right) in [
-        (input.peek(Token![=>]), "=>", ">="),
-        (input.peek(Token![<]) && input.peek2(Token![>]), "<>", "!="),
-        (input.peek(Token![=]) && input.peek2(Token![<]) && !input.peek(Token![==]), "=<", "<="),
+    for (is_here, wrong, help) in [
+        (input.peek(Token![=>]), "=>", "write `>=`"),
+        (
+            input.peek(Token![<]) && input.peek2(Token![>]),
+            "<>",
+            "write `!=` in conditions; of two sides that differ somewhere, claim `refute … = …;`",
+        ),
+        (input.peek(Token![=]) && input.peek2(Token![<]) && !input.peek(Token![==]), "=<", "write `<=`"),
     ] {
         if is_here {
-            return Err(error(
-                input.span(),
-                format!("`{wrong}` is not a sign of the language"),
-                format!("write `{right}`"),
-            ));
+            return Err(error(input.span(), format!("`{wrong}` is not a sign of the language"), help));
         }
     }
     Ok(Some(if input.peek(Token![==]) {

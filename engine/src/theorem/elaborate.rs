@@ -67,6 +67,47 @@ fn theorem(
     (theorem, all.scope.diagnostics.into_inner())
 }
 
+/// Statements in an order in which scalars are declared before they are used.
+fn in_order(written: &[TheoremStatement]) -> Vec<&TheoremStatement> {
+    let scalar = |statement: &TheoremStatement| match &statement.kind {
+        TheoremStatementKind::Scalar(bounds, _) => name_of(&bounds.target).map(String::from),
+        _ => None,
+    };
+    let mut later: Vec<(usize, String)> =
+        written.iter().enumerate().filter_map(|(k, statement)| Some((k, scalar(statement)?))).listed();
+    let mut order = Vec::new();
+    for (k, statement) in written.iter().enumerate() {
+        let used: Vec<&Expr> = match &statement.kind {
+            TheoremStatementKind::Patch(_, _, value) => vec![value],
+            TheoremStatementKind::Let(target, value, _) => vec![target, value],
+            TheoremStatementKind::Assume(relation) => vec![&relation.left, &relation.right],
+            _ => Vec::new(),
+        };
+        let is_scalar = scalar(statement).is_some();
+        later.retain(|(own, name)| {
+            let now = used.iter().any(|e| e.has_name(&|n| n == name));
+            if now {
+                order.push(&written[*own]);
+            }
+            // One that comes here anyway is not moved.
+            !now && *own != k
+        });
+        if !is_scalar || order.iter().all(|earlier| !core::ptr::eq(*earlier, statement)) {
+            order.push(statement);
+        }
+    }
+    order
+}
+
+/// The name that an expression is, also with an index.
+fn name_of(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(name),
+        ExprKind::Index(base, _) => name_of(base),
+        _ => None,
+    }
+}
+
 impl Elaboration<'_> {
     fn theorem(&mut self, written: &syntax::Theorem) -> Option<Item> {
         self.scope.unread.clone_from(&written.unread);
@@ -75,7 +116,7 @@ impl Elaboration<'_> {
         let mut budget = 1;
         let mut claims = Vec::new();
         // Claims come last: they see every range as it is narrowed in the end, and every control point.
-        for statement in &written.statements {
+        for statement in in_order(&written.statements) {
             self.scope.budget.refill();
             fine &= self.statement(statement, &mut budget).is_some();
             let names = self.vectors.len() + self.patches.len() + self.scope.lets.len();

@@ -18,6 +18,9 @@ use crate::syntax::{Expr, ExprKind, Role, Sign, TheoremKind};
 /// The functions of theorems that families do not have.
 const PRODUCTS: [&str; 2] = ["cross", "dot"];
 
+/// What an outer product becomes with coordinates.
+const OUTER: &str = "with `dimension 2;` a product `cross(a, b)` is a number, with `dimension 3;` a vector";
+
 /// What to write for the functions of the field that the language does not have.
 fn elsewhere(name: &str) -> Option<&'static str> {
     Some(match name {
@@ -207,11 +210,13 @@ impl Elaboration<'_> {
             return self.scope.report(error);
         }
         self.scope.undeclared.borrow_mut().push(name.to_string());
-        if self.scope.library.knows(self.scope.unit, name) {
+        let family = name.split('[').next().unwrap_or(name);
+        if self.scope.library.knows(self.scope.unit, family) {
+            let order = if self.scope.library.order_count(self.scope.unit, family) == 1 { "(3)" } else { "" };
             self.scope.report(
                 error
                     .label("this is a family")
-                    .help(format!("declare a curve or surface over it, `curve P = {name};`")),
+                    .help(format!("a theorem speaks of its functions through curves: after `curve F = {family}{order};`, F(t) is their sum with control points `F[0]`, `F[1]`, …")),
             );
             return;
         }
@@ -231,6 +236,12 @@ impl Elaboration<'_> {
             } else {
                 format!("it has an index, such as `{last}`")
             };
+            self.scope.report(error.help(help));
+            return;
+        }
+        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        if letters.len() < name.len() && self.patches.iter().any(|patch| patch.name == letters) {
+            let help = format!("write `{letters}[{}]` for the control point", &name[letters.len()..]);
             self.scope.report(error.help(help));
             return;
         }
@@ -340,7 +351,11 @@ impl Elaboration<'_> {
             Value::Scalar(x) => x,
             other => {
                 let error = self.scope.error(base.span, format!("{} has no powers", kind(&other)));
-                self.scope.report(error.help("the square of a length is `dot(a, a)`"));
+                let help = match &other {
+                    Value::Outer(_) => OUTER,
+                    _ => "the square of a length is `dot(a, a)`",
+                };
+                self.scope.report(error.help(help));
                 return None;
             }
         };
@@ -511,11 +526,12 @@ impl Elaboration<'_> {
                 let error = self
                     .scope
                     .error(expr.span, format!("`{name}` multiplies two vectors, this is {}", kind(&other)));
-                self.scope.report(
-                    error.help(format!(
+                self.scope.report(match &other {
+                    Value::Outer(_) => error.help(OUTER),
+                    _ => error.help(format!(
                         "write `{name}(a, b)` with vectors, such as `D(P)(0)` or `P[1] - P[0]`"
                     )),
-                );
+                });
                 None
             }
         }

@@ -402,6 +402,15 @@ impl Elaboration<'_> {
                 _ => vec![e],
             })
             .listed();
+        let in_brackets = listed.iter().find(|e| {
+            matches!(&e.kind, ExprKind::List(row)
+            if row.iter().all(|x| matches!(x.kind, ExprKind::Number(_))))
+        });
+        if let Some(point) = in_brackets {
+            let error = self.scope.error(point.span, "a point is written in parentheses, these are brackets");
+            self.scope.report(error.help("write `(0, 1)` for a point, `[(0, 0), (0, 1)]` for a row of two"));
+            return None;
+        }
         if flat.len() != def.functions.len() {
             let wanted = count_points(def.functions.len());
             let error =

@@ -17,7 +17,7 @@ use crate::model::angle::{Angle, Kind, without_brackets};
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::chart::Piece;
 use crate::model::obligation::{Goal, Obligation, Open};
-use crate::model::scope::{Condition, Duty, Inside, Pending, Scope, Subject};
+use crate::model::scope::{Condition, Duty, Inside, Pending, Scope, Stage, Subject};
 
 /// What is left where a value has too many terms in the variables of a box.
 const TOO_LONG: &str = "ranges that depend on one another make the formula too long";
@@ -212,6 +212,12 @@ impl Scope<'_> {
                 let message = match rough {
                     Some(near) => format!("the denominator vanishes {near}"),
                     None => format!("the denominator vanishes at {at}"),
+                };
+                // A claim is about the family as it is.
+                let help = if self.stage == Stage::Complete && help.starts_with("leave this value out") {
+                    format!("multiply the claim by the denominator, or {help}")
+                } else {
+                    help
                 };
                 labelled(Diagnostic::error(place.clone(), message)).help(help)
             }

@@ -13,6 +13,7 @@ use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::expand::whole;
 use crate::model::scope::Scope;
 use crate::model::unused;
+use crate::model::words::BUILTINS;
 use crate::subject::{Item, Subject};
 use crate::syntax;
 use basis_prover::collections::list::{Listed, Mapped};
@@ -53,7 +54,13 @@ impl Library<'_> {
             let visible = self.visible(unit);
             let known: Vec<&str> = visible.mapped(String::as_str);
             let help = did_you_mean(name, &known, &|| {
-                format!("families here are {}", crate::plural::list(&visible))
+                let families = format!("families here are {}", crate::plural::list(&visible));
+                if BUILTINS.contains(&name) {
+                    return format!(
+                        "the sum over control points goes without saying: name the family, `curve P = Bernstein(3);`; {families}"
+                    );
+                }
+                families
             });
             return Err(Some((format!("there is no family `{name}`"), help)));
         };

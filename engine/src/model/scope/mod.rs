@@ -12,7 +12,8 @@ use super::family::label;
 use super::formula::Value;
 use super::obligation::Obligation;
 use super::words::{
-    BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, FUNCTIONS, HYPERBOLIC, OTHER_NAMES, PI, is_transcendental,
+    BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, FUNCTIONS, HYPERBOLIC, OTHER_NAMES, PI, VARIABLES,
+    is_transcendental,
 };
 use super::{Barycentric, Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
@@ -440,6 +441,9 @@ impl Scope<'_> {
             "sqrt" => String::from(
                 "roots are not in the language: claim something about the square, `x^2 = 2`, or let the root be a shape parameter",
             ),
+            _ if name.strip_prefix('D').is_some_and(|order| order.parse::<u8>().is_ok()) => {
+                format!("write `D(…, {})`", &name[1..])
+            }
             _ if derivative.is_some() => {
                 format!("write `D({}[0])` for the derivative of `{0}[0]`", self.function_name)
             }
@@ -476,8 +480,14 @@ impl Scope<'_> {
                 } else if name.starts_with(|c: char| c.is_ascii_uppercase()) {
                     format!("families here are {}", crate::plural::list(&families))
                 } else {
+                    let variable = match self.domain.as_slice() {
+                        [only] if VARIABLES.contains(&name) => {
+                            format!("the variable of the domain is `{}`; or ", self.names[only.0])
+                        }
+                        _ => String::new(),
+                    };
                     format!(
-                        "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
+                        "{variable}declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
                     )
                 }
             })),
@@ -488,8 +498,10 @@ impl Scope<'_> {
     /// What to write for `λ1` where `λ[1]` is meant.
     fn with_index(&self, name: &str) -> Option<String> {
         let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let entry = format!("{}[{}]", letters.trim_end_matches('_'), &name[letters.len()..]);
-        self.variable(&entry).map(|_| format!("write `{entry}`"))
+        let (base, index) = (letters.trim_end_matches('_'), &name[letters.len()..]);
+        let entry = format!("{base}[{index}]");
+        let function = base == self.function_name && !index.is_empty();
+        (function || self.variable(&entry).is_some()).then(|| format!("write `{entry}`"))
     }
 
     /// What to write for a name such as `cosθ` or `πt`, in which a function or number and a name are one word.
@@ -532,10 +544,14 @@ impl Scope<'_> {
         }
         self.undeclared.borrow_mut().push(name.to_string());
         let error = self.error(span, format!("there is no function `{name}`"));
-        self.report(error.help(format!(
-            "functions of the language are `{}`; write `{name}*(…)` for a product",
-            [&BUILTINS[..], &CIRCULAR, &HYPERBOLIC].concat().join("`, `")
-        )));
+        let all = [&BUILTINS[..], &CIRCULAR, &HYPERBOLIC].concat().join("`, `");
+        // A short name may be that of a factor.
+        let product = if name.chars().count() > 2 {
+            String::new()
+        } else {
+            format!("; write `{name}*(…)` for a product")
+        };
+        self.report(error.help(format!("functions of the language are `{all}`{product}")));
     }
 
     /// A new scope for a family, without any variables yet.

@@ -84,6 +84,8 @@ impl Declared<'_> {
                 "pi/2 between -pi and pi",
                 if end.value.number.is_zero() && end.value.pi.abs() > Rational::ONE {
                     "ends of an angle are multiples of `pi/2` from `-pi` to `pi`; let a part of it be the variable, `sin(2*s)` with `0 <= s <= pi`"
+                } else if end.value.number.is_zero() {
+                    "ends of an angle are multiples of `pi/2` from `-pi` to `pi`, or a shape parameter, `shape 0 < α < pi; domain 0 <= θ <= α;`; a part of the angle can be the variable, `tan(pi*s/4)` with `0 <= s <= 1`"
                 } else {
                     "ends of an angle are multiples of `pi/2` from `-pi` to `pi`, or a shape parameter: `shape 0 < α < pi; domain 0 <= θ <= α;`"
                 },

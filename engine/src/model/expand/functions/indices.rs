@@ -43,6 +43,13 @@ pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool
     let last = scope.defined.values().max_by_key(|definition| definition.place);
     let span = last.map_or(written.name.span, |definition| definition.span);
     let error = scope.error(span, format!("{} {verb} missing", list(&names)));
+    let error = match digits(scope, width) {
+        Some(help) => {
+            scope.report(error.help(help));
+            return false;
+        }
+        None => error,
+    };
     scope.report(if let [_] = places.as_slice() {
         on_simplex(scope, error, &missing, sum)
     } else if !places.is_empty() {
@@ -56,6 +63,17 @@ pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool
         )
     });
     false
+}
+
+/// What to write where all indices of a triangle are the digits of one number, `b[110]` for `b[1, 1, 0]`.
+fn digits(scope: &Scope<'_>, width: usize) -> Option<String> {
+    let names = scope.domain.len() + scope.simplices.len();
+    let largest = scope.functions.keys().next_back()?;
+    let digits = largest.first()?.to_string();
+    let meant = width == 1 && names > 1 && digits.len() == names;
+    let indices = digits.chars().map(String::from).listed().join(", ");
+    let name = &scope.function_name;
+    meant.then(|| format!("write an index for each coordinate: `{name}[{indices}]` for `{name}[{digits}]`"))
 }
 
 /// The first function whose indices at the places of a simplex have another sum there than those of most others.
