@@ -654,3 +654,36 @@ fn dependent_whatever_the_numbers_are() {
     ];
     assert_eq!(combinations, all);
 }
+
+/// Highest and lowest values inside of the domain, which no derivative leads to from an end: t²·exp(−t)/2 has the highest value
+/// 2·exp(−2) = 0.27067056…, t·cos(t) about 0.561096338.
+#[test]
+fn values_inside_of_the_domain() {
+    let found = counterexamples(
+        "family Poisson {
+            domain 0 <= x <= 4;
+            b[0] = x^2*exp(-x)/2;
+            prove b[0] <= 271/1000;
+            refute b[0] <= 270/1000;
+        }
+        family Gamma {
+            domain 0 <= t <= 3;
+            b[0] = t^3*exp(-2*t);
+            prove b[0] <= 17/100;
+            refute b[0] <= 168/1000;
+        }
+        family Both {
+            domain -2 <= t <= 1;
+            b[0] = t*exp(t);
+            prove b[0] >= -368/1000;
+            refute b[0] >= -367/1000;
+        }
+        family Turn {
+            domain 0 <= t <= pi/2;
+            b[0] = t*cos(t);
+            prove b[0] <= 56110/100000;
+            refute b[0] <= 56109/100000;
+        }",
+    );
+    assert_eq!(found.len(), 4, "{found:?}");
+}

@@ -13,7 +13,8 @@
 //! coefficients ≥ 0, and its limit at z = 1 is k.) No denominator vanishes there, and both sides are odd in z.
 //!
 //! An angle s with x = tan(v·(s − shift)) is therefore between two quotients in x. Measured from an end e of its range it is
-//! e + arctan(z)/v with z = (x − xₑ)/(1 + x·xₑ), and the bounds are exact at that end; for tanh it is 1 − x·xₑ.
+//! e + arctan(z)/v with z = (x − xₑ)/(1 + x·xₑ), and the bounds are exact at that end; for tanh it is 1 − x·xₑ. Measured from a
+//! point whose tangent is rational, and which is itself only known between bounds, they hold where z ≥ 0.
 //! What holds for all numbers between the bounds in place of s holds for s.
 
 use std::sync::LazyLock;
@@ -37,7 +38,16 @@ pub(crate) enum Anchor {
     Low,
     /// The upper end.
     High,
+    /// Where the tangent is this many parts of [`UNIT`]: the bounds hold where it is not smaller.
+    At(i64),
 }
+
+/// The denominator of tangents from which angles are measured.
+pub(crate) const UNIT: i64 = 1 << 12;
+
+/// The level of bounds for the angles that have these tangents, and their bits after the point.
+const SHARP: u32 = 30;
+const SHORT: u32 = 30;
 
 /// How an angle is bounded.
 #[derive(Clone, Copy, Debug)]
@@ -202,10 +212,13 @@ impl Angle {
         let x = self.tangent();
         let pi = || analytic.pi.map(Fraction::var);
         let (at, start) = match anchor {
-            Anchor::Zero if self.turns || self.shift.is_zero() => {
-                (Fraction::zero(), Fraction::constant(self.shift.clone()))
+            Anchor::Zero | Anchor::At(_) => {
+                let at =
+                    if let Anchor::At(parts) = anchor { Rational::new(parts, UNIT) } else { Rational::ZERO };
+                let shift = Fraction::constant(self.shift.clone());
+                let start = if self.turns || self.shift.is_zero() { shift } else { &shift * &pi()? };
+                (Fraction::constant(at), start)
             }
-            Anchor::Zero => (Fraction::zero(), &Fraction::constant(self.shift.clone()) * &pi()?),
             Anchor::Low | Anchor::High => {
                 let side = usize::from(anchor == Anchor::High);
                 let end = [&range.low, &range.high][side].value()?;
@@ -230,12 +243,30 @@ impl Angle {
         if self.turns {
             rate = &rate * pi()?.numer();
         }
-        Some(quotients(self.kind, n).map(|[above, below]| {
+        // The angle that has a tangent in the middle, times the rate, is only known between bounds.
+        let middle = match anchor {
+            Anchor::At(parts) => {
+                let (low, high) = inverse(self.kind, &Rational::new(parts, UNIT), SHARP)?;
+                // Short numbers: what is expanded with them is shorter.
+                let unit = Rational::from(1 << SHORT);
+                let above = -(-(&high * &unit)).floor();
+                [(&low * &unit).floor().checked_div(&unit)?, above.checked_div(&unit)?]
+            }
+            _ => [Rational::ZERO, Rational::ZERO],
+        };
+        // Of numbers z > 0 the lower one comes first.
+        let [mut first, mut second] = quotients(self.kind, n);
+        if self.kind == Kind::Circular && n % 2 == 1 {
+            (first, second) = (second, first);
+        }
+        let bound = |[above, below]: [Vec<Rational>; 2], middle: &Rational| {
             let m = above.len().max(below.len()) - 1;
             let above = &p * &homogeneous(&above, &p, &q, m);
-            let below = &(&q * &homogeneous(&below, &p, &q, m)) * &rate;
-            Bound { above: &(&start * &below) + &above, below }
-        }))
+            let own = &q * &homogeneous(&below, &p, &q, m);
+            let below = &own * &rate;
+            Bound { above: &(&(&start * &below) + &above) + &own.scale(middle), below }
+        };
+        Some([bound(first, &middle[0]), bound(second, &middle[1])])
     }
 }
 
@@ -243,7 +274,7 @@ impl Angle {
 /// if all of them are.
 ///
 /// Of degree 1 in the angle there are two, one for each bound, unless it shall be a single one. In a single one the variable
-/// of the angle runs from 0 to 1 between the bounds.
+/// of the angle runs from 0 to 1 between the bounds. In short cells there is one for each Bernstein polynomial between the bounds.
 pub(crate) fn without(
     f: &Poly,
     analytic: &Analytic,
@@ -262,7 +293,24 @@ pub(crate) fn without(
         ]);
     }
     let between = between(angle, bounds, work)?;
-    Some(vec![put(f, angle.itself, degree, &between, work)?])
+    let whole = put(f, angle.itself, degree, &between, work)?;
+    if single || !matches!(from.anchor, Anchor::At(_)) {
+        return Some(vec![whole]);
+    }
+    // Between narrow bounds nothing is lost by the coefficients of Bernstein's polynomials, and they have a variable less.
+    let powers = whole.coefficients_in(angle.itself);
+    let degree = powers.len().saturating_sub(1) as u32;
+    let binomial = |n: u32, k: u32| {
+        (0..k).fold(Rational::ONE, |b, i| &b * &Rational::new(i64::from(n - i), i64::from(i + 1)))
+    };
+    let coefficient = |k: u32| {
+        let terms = powers.iter().take(k as usize + 1).zip(0..);
+        terms.fold(Some(Poly::zero()), |sum, (power, j)| {
+            let share = binomial(k, j).checked_div(&binomial(degree, j))?;
+            Some(&sum? + &power.scale(&share))
+        })
+    };
+    (0..=degree).map(coefficient).collect()
 }
 
 /// The polynomials of a row of a matrix, in which the variable of the angle runs from 0 to 1 between the bounds: all times the

@@ -6,7 +6,7 @@
 //! - for shape parameters in exponentials whose ranges end in numbers, what is enough without these ends;
 //! - the ladder of derivatives, with bounds for the parameters at the end of the domain in what it leaves, or with ladders in
 //!   these; also with the domain reversed;
-//! - bounds for the variable itself, exact where it is 0, or cell by cell at the nearest end;
+//! - bounds for the variable itself, exact where it is 0, cell by cell at the nearest end, or in many short cells;
 //! - as a combination of the functions of the family, each of which is ≥ 0;
 //! - by ladders on the parts of the domain between points at which the value or its derivative vanishes.
 //!
@@ -16,6 +16,7 @@
 mod claims;
 mod combination;
 mod cuts;
+mod fine;
 mod ladder;
 mod parameter;
 mod point;
@@ -107,10 +108,12 @@ enum Way {
     Combination,
     /// On parts of the domain.
     Parts(u32),
+    /// On so many short cells.
+    Fine(u32),
 }
 
 /// By their numbers in certificates.
-const WAYS: [Way; 12] = [
+const WAYS: [Way; 14] = [
     Way::Wider,
     Way::Ladder(5),
     Way::Halves(5),
@@ -123,7 +126,12 @@ const WAYS: [Way; 12] = [
     Way::Cells(9),
     Way::Combination,
     Way::Parts(8),
+    Way::Fine(8),
+    Way::Fine(32),
 ];
+
+/// The level of bounds in short cells: an even one.
+const NEXT_TO_A_POINT: u32 = 2;
 
 /// The level of the first bounds.
 const LEVEL: u32 = 5;
@@ -135,7 +143,7 @@ const COMBINATION: usize = 10;
 const PARTS: usize = 11;
 
 /// The order in which the others are tried.
-const LATER: [usize; 9] = [PARTS, 2, 3, 4, 5, 6, 7, 8, 9];
+const LATER: [usize; 11] = [PARTS, 12, 2, 3, 4, 5, 13, 6, 7, 8, 9];
 
 /// Whether a comparison is about the sign of a function in which an angle stands beside its sine.
 fn is_mixed(family: &Family, value: &Fraction, comparison: Comparison) -> bool {
@@ -210,9 +218,12 @@ fn steps(
             (all, *level)
         }
         (Way::Cells(level), Some(angle)) => (cells(angle, range, sample, &whole)?, *level),
+        (Way::Fine(count), Some(angle)) => {
+            (fine::cells(family, angle, range, *count, &whole)?, NEXT_TO_A_POINT)
+        }
         (Way::Ladder(level) | Way::Whole(level) | Way::Parameter(level), _) => (vec![whole], *level),
         (Way::Wider | Way::Combination | Way::Parts(_), _)
-        | (Way::Cells(_) | Way::Halves(_) | Way::Mirrored(_), None) => return None,
+        | (Way::Cells(_) | Way::Fine(_) | Way::Halves(_) | Way::Mirrored(_), None) => return None,
     };
     let (mut all, mut changed) = (Vec::new(), false);
     for step in found {
@@ -394,6 +405,12 @@ fn bounded(
             step.ranges.push((angle.var, range));
         }
     }
+    if let Anchor::At(_) = step.anchor {
+        // Its variable is the tangent itself.
+        let angle = family.interval().and_then(|(var, ..)| family.analytic.angle(var))?;
+        let (low, width) = (Fraction::zero(), Fraction::constant(Rational::ONE));
+        local = Some(Angle { low, width, ..angle.clone() });
+    }
     if family.analytic.beside(&step.value).next().is_none() {
         return Some(vec![step]);
     }
@@ -427,15 +444,31 @@ fn bounded(
                 let own = family.domain.iter().any(|p| p.var == angle.var);
                 let anchor = if own { step.anchor } else { Anchor::Zero };
                 let declared = family.region().range(angle.var);
-                let from = From { anchor, range: &declared, n: level, typical: &sample.typical() };
+                let mut typical = sample.typical();
+                let cell =
+                    step.ranges.iter().find(|(v, _)| matches!(anchor, Anchor::At(_)) && *v == angle.var);
+                if let Some((low, high)) = cell.and_then(|(_, cell)| cell.finite()) {
+                    typical.retain(|(v, _)| *v != angle.var);
+                    typical.push((angle.var, &(low + high) * &Rational::new(1, 2)));
+                }
+                let from = From { anchor, range: &declared, n: level, typical: &typical };
                 let angle = local.as_ref().filter(|local| local.var == angle.var).unwrap_or(angle);
                 let found = without(&poly, &family.analytic, angle, &from, false, work)?;
                 let count = found.len();
                 for (k, poly) in found.into_iter().enumerate() {
                     let mut ranges = ranges.clone();
                     ranges.push((angle.itself, Range::unit()));
-                    let side = if count == 1 { "" } else { ["lower ", "upper "][k] };
-                    next.push((format!("{of} with the {side}bound for {}", angle.name), poly, ranges));
+                    let name = &angle.name;
+                    next.push((
+                        match (count, k) {
+                            (1, _) => format!("{of} with the bound for {name}"),
+                            (2, 0) => format!("{of} with the lower bound for {name}"),
+                            (2, _) => format!("{of} with the upper bound for {name}"),
+                            _ => format!("{of} between the bounds for {name}, coefficient {k}"),
+                        },
+                        poly,
+                        ranges,
+                    ));
                 }
             }
             parts = next;
