@@ -188,7 +188,6 @@ extern crate std;
 pub mod __private;
 mod basis;
 pub mod bernstein;
-mod binomial;
 mod boxes;
 #[cfg(feature = "bspline")]
 pub mod bspline;
@@ -196,15 +195,12 @@ pub mod bspline;
 mod convert;
 mod curve;
 mod domain;
-mod elementary;
 #[cfg(feature = "elements")]
 mod elements;
 mod error;
 #[cfg(feature = "bspline")]
 mod fit;
 mod form;
-#[cfg(any(feature = "elements", feature = "geometry"))]
-mod gauss;
 pub mod generated;
 #[cfg(feature = "geometry")]
 mod geometry;
@@ -215,6 +211,7 @@ mod matrices;
 mod mesh;
 #[cfg(feature = "alloc")]
 mod nearest;
+mod numeric;
 #[cfg(feature = "geometry")]
 mod path;
 mod point;
@@ -224,7 +221,6 @@ mod revolution;
 mod scalar;
 #[cfg(feature = "serde")]
 mod serialize;
-mod simd;
 mod simplex;
 mod surface;
 #[allow(dead_code)] // some of it only with some features

@@ -7,11 +7,11 @@ pub use ::core;
 pub use ::serde;
 
 use crate::basis::combination;
-use crate::binomial::binomials;
 pub use crate::boxes::box_sum;
 use crate::curve::{End, eliminate};
 pub use crate::domain::unit;
 use crate::form::{affine_nested, nested};
+use crate::numeric::binomial::binomials;
 #[cfg(feature = "serde")]
 pub use crate::serialize::{read_shape, shape_error, write_shape};
 use crate::simplex::SimplexIndex;

@@ -7,7 +7,7 @@
 //!
 //! and `∂B_α/∂x_k = n (B_(α - e_k) - B_(α - e_0))`. An interval is a simplex with d = 1, a box a product of intervals.
 
-use crate::binomial::binomial;
+use crate::numeric::binomial::binomial;
 use crate::{Array, DomainFactor, Point, Scalar, SimplexIndex};
 
 /// `∫ B_a B_b` over the simplex, for two indices with the same sum.

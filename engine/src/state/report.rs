@@ -8,6 +8,9 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::subject::Subject;
 use crate::theorem::TheoremKind;
 
+/// A budget of this size comes near to what a whole file may take.
+const LARGEST: u32 = 10;
+
 /// The error for a claim whose verdict is not the declared one; `None` when all is as declared.
 pub fn diagnose(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Option<Diagnostic> {
     let mut diagnostic = contradiction(&subject.title(), &claim.text, claim.expected, &claim.place, verdict)?;
@@ -18,8 +21,6 @@ pub fn diagnose(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Option<D
     if matches!(claim.kind, ClaimKind::Rounding(_)) && matches!(verdict, Verdict::Undecided(_)) {
         return Some(diagnostic.help("claim a larger bound, or leave the claim out; `basis explain` shows the bounds that can be proved"));
     }
-    // More than this comes near to what a whole file may take.
-    const LARGEST: u32 = 10;
     let is_open = matches!(verdict, Verdict::Undecided(_));
     if is_open && matches!(claim.kind, ClaimKind::TotallyPositive) {
         diagnostic = diagnostic.help("narrow the ranges, or leave it open: `conjecture totally_positive;`");

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use crate::binomial::binomials;
+use crate::numeric::binomial::binomials;
 use crate::{Array, Basis, BernsteinForm, Point, Scalar};
 
 /// The Bernstein basis of degree `n = N - 1`: `b[k](t) = binomial(n, k) (1-t)^(n-k) t^k` on `0 <= t <= 1`.

@@ -1,6 +1,6 @@
 //! De Casteljau's algorithm: values, and the polynomial on a part of the interval.
 
-use crate::binomial::after;
+use crate::numeric::binomial::after;
 use crate::vector::lerp;
 use crate::{Point, Scalar};
 

@@ -1,6 +1,6 @@
 //! Degree elevation and differentiation.
 
-use crate::binomial::row;
+use crate::numeric::binomial::row;
 use crate::vector::lerp;
 use crate::{Point, Scalar};
 

@@ -1,6 +1,6 @@
 //! Products, and the bounds that coefficients give.
 
-use crate::binomial::after;
+use crate::numeric::binomial::after;
 use crate::{Point, Scalar, vector};
 
 /// The product `p q`, of degree `m + n`:

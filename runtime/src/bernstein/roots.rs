@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::{eval, restrict, split};
 use crate::Scalar;
-use crate::binomial::row;
+use crate::numeric::binomial::row;
 
 /// Below this depth a piece is narrower than the distance of two floats.
 const DEPTH: u32 = 56;

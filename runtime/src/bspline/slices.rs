@@ -13,7 +13,7 @@ use super::KnotVector;
 use super::functions::combine;
 use super::net::Net;
 use crate::form::{EndpointPoints, MOST_COMPONENTS, endpoint_coefficients, horner};
-use crate::simd::{Kernel, dispatch};
+use crate::numeric::simd::{Kernel, dispatch};
 use crate::vector::lerp;
 use crate::{Point, Scalar};
 

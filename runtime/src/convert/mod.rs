@@ -5,7 +5,7 @@ mod kurbo;
 #[cfg(feature = "lyon_geom")]
 mod lyon_geom;
 
-use crate::binomial::row;
+use crate::numeric::binomial::row;
 use crate::{Basis, Curve, CurveError, Point, Scalar, bernstein};
 
 /// A point of the plane, as other crates take it.

@@ -10,8 +10,8 @@
 use alloc::vec::Vec;
 
 use crate::bernstein::{self, bracketed_root, changes_of_sign};
-use crate::binomial::row;
 use crate::domain::from_unit;
+use crate::numeric::binomial::row;
 use crate::vector::{distance, dot, is_finite, length};
 use crate::{Array, Basis, Curve, Nearest, Point, Scalar};
 

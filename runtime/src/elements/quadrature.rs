@@ -5,7 +5,7 @@ use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
 use super::symmetric;
-use crate::gauss::jacobi;
+use crate::numeric::gauss::jacobi;
 use crate::{Point, Scalar};
 
 /// Rules of a higher degree are refused.

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::functions::Functions;
 use crate::bspline::{Banded, FitError};
-use crate::gauss::jacobi;
+use crate::numeric::gauss::jacobi;
 use crate::vector::largest_component;
 use crate::{Point, Scalar};
 

@@ -4,8 +4,8 @@ use super::pointwise;
 use super::slices::{EndpointDerivatives, EndpointPoints, NestedPoints, endpoint_coefficients};
 use super::tiles::{BernsteinDerivatives, BernsteinPoints, MOST_COMPONENTS};
 use crate::basis::combination;
-use crate::binomial::binomials;
-use crate::simd::{WORTHWHILE, dispatch};
+use crate::numeric::binomial::binomials;
+use crate::numeric::simd::{WORTHWHILE, dispatch};
 use crate::{Form, Point, Scalar};
 
 /// The number of control points up to which a slice of parameters is evaluated in endpoint form, which is made on the

@@ -2,7 +2,7 @@
 
 use super::slices::{EndpointDerivatives, EndpointPoints};
 use crate::basis::combination;
-use crate::simd::dispatch;
+use crate::numeric::simd::dispatch;
 use crate::{Form, Point, Scalar};
 
 /// The curve of degree `R + 1`

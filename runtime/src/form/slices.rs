@@ -7,8 +7,8 @@
 #![allow(clippy::inline_always)]
 
 use super::tiles::MOST_COMPONENTS;
-use crate::binomial::binomials;
-use crate::simd::Kernel;
+use crate::numeric::binomial::binomials;
+use crate::numeric::simd::Kernel;
 use crate::{Point, Scalar, bernstein};
 
 /// The number of points that are finished before the next derivative: more than about four streams of results that

@@ -3,8 +3,8 @@
 // All of it is compiled once for each set of vector instructions, inside of the functions that name them.
 #![allow(clippy::inline_always)]
 
-use crate::binomial::after;
-use crate::simd::Kernel;
+use crate::numeric::binomial::after;
+use crate::numeric::simd::Kernel;
 use crate::{Point, Scalar, bernstein};
 
 /// The number of parameters that are carried through all control points together; their powers stay in the nearest

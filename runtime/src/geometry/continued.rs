@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{CurveScalar, ParametricCurve};
-use crate::binomial::binomial;
+use crate::numeric::binomial::binomial;
 use crate::vector::is_finite;
 use crate::{
     Array, Basis, Contact, Curve, CurveError, PiecewiseCurve, Point, RationalBasis, RationalBezier,

@@ -4,42 +4,31 @@
 //! in double precision. They are not generic: a second type of curve costs no second compilation of them. They are
 //! marked `#[inline]` so that they are compiled where a question is asked, and not with this crate for everybody.
 
-mod beside;
-mod bounds;
-mod clipping;
 mod closest;
 mod coefficients;
 mod continued;
 mod convert;
 mod curves;
-mod enclosed;
-mod flatten;
-mod intersect;
-mod length;
-mod line;
 mod local;
-mod meeting;
-mod merged;
+mod measure;
+mod meetings;
 mod nearest;
 mod parametric;
 mod piece;
 mod pierce;
-mod surface_meeting;
 
-pub(crate) use bounds::control_box;
 pub use closest::Closest;
 pub use continued::JoinableCurve;
 pub(crate) use continued::backwards;
 #[cfg(feature = "bspline")]
 pub(crate) use continued::{numerators, possible, replace_first};
 pub(crate) use convert::clamped;
-pub use enclosed::Enclosed;
-pub use intersect::MeetingKind;
-pub(crate) use intersect::{meetings, self_meetings};
-pub use meeting::{Meeting, PlaneMeeting};
+pub(crate) use measure::bounds::control_box;
+pub use measure::enclosed::Enclosed;
+pub(crate) use meetings::of_line;
+pub use meetings::{Meeting, MeetingKind, PlaneMeeting, SurfaceMeeting};
+pub(crate) use meetings::{meetings, self_meetings};
 pub(crate) use nearest::nearest as nearest_place;
 pub use parametric::{CurveScalar, CurveVector, ParametricCurve};
 pub use piece::CurvePiece;
 pub(crate) use piece::{derivative, product};
-pub use surface_meeting::SurfaceMeeting;
-pub(crate) use surface_meeting::of_line;

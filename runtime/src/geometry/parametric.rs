@@ -5,10 +5,9 @@ use core::ops::Range;
 
 use super::continued::{JoinableCurve, touching};
 use super::convert::{back, clamped, corners_of, floor, in_the_plane, sample};
-use super::{
-    Closest, CurvePiece, Enclosed, Meeting, PlaneMeeting, SurfaceMeeting, bounds, closest, enclosed, flatten,
-    length, local, meeting, nearest, surface_meeting,
-};
+use super::measure::{bounds, enclosed, flatten, length};
+use super::meetings::{meeting, surface_meeting};
+use super::{Closest, CurvePiece, Enclosed, Meeting, PlaneMeeting, SurfaceMeeting, closest, local, nearest};
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
 use crate::vector::{direction, distance, largest_component, recast};
 use crate::{

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::bernstein;
-use crate::binomial::binomial;
+use crate::numeric::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::{CurveError, CurvePiece, JoinableCurve, Point, RationalBezier, Scalar};

@@ -3,7 +3,7 @@
 use super::slices::TILE;
 use crate::Scalar;
 use crate::domain::{from_unit, unit};
-use crate::elementary::{decay, sine};
+use crate::numeric::elementary::{decay, sine};
 
 /// The map from a domain `lo <= t <= hi` to the parameter `0 <= x <= 1` in which the functions of a
 /// [`RationalBasis`](crate::RationalBasis) are quotients of polynomials.

@@ -6,9 +6,9 @@ use super::series::{Room, Side, derivatives};
 use super::slices::RationalPoints;
 use super::{Chart, RationalBasis};
 use crate::basis::combination;
-use crate::binomial::row;
 use crate::form::MOST_COMPONENTS;
-use crate::simd::{WORTHWHILE, dispatch};
+use crate::numeric::binomial::row;
+use crate::numeric::simd::{WORTHWHILE, dispatch};
 use crate::{Array, CountError, CurveError, Point, Scalar};
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]` and rational functions `b[i]`.

@@ -5,7 +5,7 @@
 
 use super::{RationalBasis, RationalCurve};
 use crate::form::MOST_COMPONENTS;
-use crate::simd::Kernel;
+use crate::numeric::simd::Kernel;
 use crate::{Point, Scalar};
 
 /// The number of parameters that are carried through all steps together.

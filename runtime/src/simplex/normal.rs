@@ -14,7 +14,7 @@
 use super::TriangularBasis;
 use super::index::TriangleIndex;
 use super::net::{contract, moved_corner};
-use crate::binomial::binomial;
+use crate::numeric::binomial::binomial;
 use crate::vector::{cross, direction, dot, largest_component};
 use crate::{Array, Point3, Scalar};
 

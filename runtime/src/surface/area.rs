@@ -18,8 +18,8 @@ use super::SurfacePiece;
 use super::nearest::Piece;
 use crate::Scalar;
 use crate::bernstein::centred_powers;
-use crate::binomial::row;
-use crate::gauss::jacobi;
+use crate::numeric::binomial::row;
+use crate::numeric::gauss::jacobi;
 
 /// The numbers of nodes of the rules, in increasing order.
 const NODES: [usize; 6] = [2, 4, 6, 10, 16, 24];

@@ -10,7 +10,7 @@
 //! if they are all multiples `h[a][b]` of one vector and the form `Σ h[a][b] p^a q^b`, times the sign of the common
 //! factor, has one sign for all steps into the domain.
 
-use crate::binomial::row;
+use crate::numeric::binomial::row;
 use crate::vector::{cross, direction, dot, largest_component, recast};
 use crate::{Point, Point3, Scalar};
 

@@ -4,10 +4,9 @@
 mod area;
 mod bounds;
 mod curvature;
-mod edge;
+mod edges;
 #[cfg(feature = "geometry")]
 mod isocurve;
-mod join;
 mod limit;
 #[cfg(feature = "alloc")]
 pub(crate) mod nearest;
@@ -23,10 +22,9 @@ mod triangle;
 #[cfg(feature = "geometry")]
 pub use area::Area;
 pub use curvature::Curvature;
-pub use edge::{Direction, Edge, EdgeContinuity, EdgePair, edge_continuity};
+pub use edges::{Direction, Edge, EdgeContinuity, EdgePair, JoinError, edge_continuity};
 #[cfg(feature = "geometry")]
 pub use isocurve::Isocurve;
-pub use join::JoinError;
 pub use parts::BezierPatchOf;
 #[cfg(feature = "geometry")]
 pub use pieces::{BoundedSurface, SurfacePiece};

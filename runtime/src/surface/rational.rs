@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::{Direction, partials_by_number};
-use crate::binomial::binomial;
+use crate::numeric::binomial::binomial;
 use crate::{Array, Basis, BernsteinOf, Curve, CurveError, Point, Scalar, Surface, TensorSurface};
 
 /// The surface `S(u, v) = N(u, v) / w(u, v)`, a quotient of two tensor surfaces: one of points, one of numbers.

@@ -304,10 +304,10 @@ pub(crate) fn without(
         (0..k).fold(Rational::ONE, |b, i| &b * &Rational::new(i64::from(n - i), i64::from(i + 1)))
     };
     let coefficient = |k: u32| {
-        let terms = powers.iter().take(k as usize + 1).zip(0..);
-        terms.fold(Some(Poly::zero()), |sum, (power, j)| {
+        let mut terms = powers.iter().take(k as usize + 1).zip(0..);
+        terms.try_fold(Poly::zero(), |sum, (power, j)| {
             let share = binomial(k, j).checked_div(&binomial(degree, j))?;
-            Some(&sum? + &power.scale(&share))
+            Some(&sum + &power.scale(&share))
         })
     };
     (0..=degree).map(coefficient).collect()

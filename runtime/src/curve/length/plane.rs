@@ -17,7 +17,7 @@ use core::ops::{Add, Mul, Sub};
 
 use super::DEPTH;
 use super::quadrature::{RULES, Rule};
-use crate::simd::{Kernel, WORTHWHILE, dispatch};
+use crate::numeric::simd::{Kernel, WORTHWHILE, dispatch};
 use crate::{Point, Scalar};
 
 /// Up to this degree the zeros have a formula.

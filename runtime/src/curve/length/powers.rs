@@ -5,7 +5,7 @@
 
 use super::quadrature::Rule;
 use super::series::{Chebyshev, Rules};
-use crate::simd::{Kernel, WORTHWHILE, dispatch};
+use crate::numeric::simd::{Kernel, WORTHWHILE, dispatch};
 use crate::vector::dot;
 use crate::{Array, Basis, Point, Scalar, bernstein};
 

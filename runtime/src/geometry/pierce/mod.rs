@@ -17,7 +17,7 @@ mod search;
 use alloc::vec::Vec;
 
 use super::CurvePiece;
-use super::intersect::MeetingKind;
+use super::MeetingKind;
 use crate::SurfacePiece;
 use net::{Net, Vector};
 use search::Search;

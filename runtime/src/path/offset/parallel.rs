@@ -13,8 +13,8 @@ use alloc::vec::Vec;
 
 use super::super::PathSegment;
 use crate::bernstein::{self, roots};
-use crate::binomial::binomial;
 use crate::geometry::{derivative, product};
+use crate::numeric::binomial::binomial;
 use crate::{CurveError, CurvePiece, Scalar};
 
 pub(super) type V = [f64; 2];

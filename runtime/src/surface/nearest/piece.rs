@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::binomial::row;
+use crate::numeric::binomial::row;
 
 /// The most steps of Newton's method; it needs five or six unless the surface is singular there.
 const STEPS: usize = 60;

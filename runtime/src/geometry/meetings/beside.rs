@@ -4,9 +4,9 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::CurvePiece;
-use super::local::piece_at;
-use super::piece::derivative;
+use crate::CurvePiece;
+use crate::geometry::derivative;
+use crate::geometry::local::piece_at;
 use crate::{Scalar, bernstein};
 
 /// Intervals of two parts outside of which they are farther from each other than a distance, and a place in them.

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::CurvePiece;
+use crate::CurvePiece;
 use crate::{CurveError, Scalar};
 
 /// More points are refused.

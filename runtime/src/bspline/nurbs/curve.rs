@@ -4,9 +4,9 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::homogeneous::check_weights;
-use super::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
-use crate::binomial::binomial;
+use crate::bspline::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
 use crate::geometry::{backwards, numerators, possible, replace_first};
+use crate::numeric::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{largest_component, length};

@@ -1,7 +1,8 @@
 //! The two parameter directions and the four edges of a surface, and how smoothly two surfaces meet along one.
 
-use super::limit::rounding;
-use super::{ScalarOf, Surface, VectorOf};
+use crate::Surface;
+use crate::surface::limit::rounding;
+use crate::surface::{ScalarOf, VectorOf};
 use crate::vector::{cross, direction, distance, dot, largest_component, length, recast};
 use crate::{Curvature, Point, Point3, Scalar};
 

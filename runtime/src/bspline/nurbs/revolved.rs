@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::{BSplineSurface, Homogeneous, KnotVector, Net, NurbsCurve, NurbsSurface, SplineError};
+use crate::bspline::{BSplineSurface, Homogeneous, KnotVector, Net, NurbsCurve, NurbsSurface, SplineError};
 use crate::revolution::Arcs;
 use crate::vector::{cross, direction, dot, recast};
 use crate::{Basis, Point3, Scalar, SurfaceOfRevolution};

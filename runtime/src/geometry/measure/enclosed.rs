@@ -7,10 +7,10 @@
 
 use alloc::vec::Vec;
 
-use super::CurvePiece;
-use super::piece::{derivative, product};
+use crate::CurvePiece;
 use crate::bernstein;
-use crate::gauss::jacobi;
+use crate::geometry::{derivative, product};
+use crate::numeric::gauss::jacobi;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::{Point, Scalar};
@@ -70,7 +70,7 @@ fn closed(pieces: &[CurvePiece]) -> Vec<CurvePiece> {
 }
 
 /// Area, centroid and moments.
-pub(super) fn of<P: Point>(pieces: &[CurvePiece]) -> Enclosed<P> {
+pub(crate) fn of<P: Point>(pieces: &[CurvePiece]) -> Enclosed<P> {
     let (sums, centroid) = integrals(pieces);
     let [area, x, y, xx, xy, yy] = sums.map(P::Scalar::of);
     Enclosed {
@@ -188,7 +188,7 @@ fn rational(piece: &CurvePiece) -> [f64; 6] {
 /// Crossings of the ray from the point to the right are counted: a part whose control points lie right of the point
 /// crosses it as its ends do, and one that lies left, above or below does not.
 #[inline]
-pub(super) fn winding(pieces: &[CurvePiece], point: &[f64]) -> Option<i32> {
+pub(crate) fn winding(pieces: &[CurvePiece], point: &[f64]) -> Option<i32> {
     if !pieces.iter().all(CurvePiece::is_finite) || !point.iter().all(|c| c.is_finite()) {
         return None;
     }

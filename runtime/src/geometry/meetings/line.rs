@@ -7,8 +7,8 @@
 //! parts are divided. Nothing is allocated. Whatever is not clear by more than the accuracy, contacts, overlaps and
 //! ends on the line, is left to the search for curves of any form.
 
-use super::CurvePiece;
 use super::clipping::{Net, View, net, range, restrict, value_and_slope};
+use crate::CurvePiece;
 use crate::Scalar;
 
 /// The most parts that are looked at, and the number of those that can be open at a time.

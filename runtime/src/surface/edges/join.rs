@@ -7,7 +7,7 @@
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-use super::TensorSurface;
+use crate::TensorSurface;
 use crate::{Array, Basis, Curve, Point, Scalar};
 
 /// The highest order of contact.

@@ -2,12 +2,12 @@
 
 use alloc::vec::Vec;
 
-use super::intersect::{self, Found, MeetingKind};
-use super::{CurvePiece, CurveVector, ParametricCurve};
+use super::{Found, MeetingKind};
 use crate::bernstein::roots;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{distance, recast};
+use crate::{CurvePiece, CurveVector, ParametricCurve};
 use crate::{Point, Scalar};
 
 /// A place at which two curves meet, or a curve meets itself.
@@ -46,7 +46,7 @@ pub struct PlaneMeeting<P: Point> {
 }
 
 /// The answers as points of the curves.
-pub(super) fn with_points<P: Point>(
+pub(crate) fn with_points<P: Point>(
     first: &(impl ParametricCurve<Point = P> + ?Sized),
     second: &(impl ParametricCurve<Point = P> + ?Sized),
     found: Vec<Found>,
@@ -67,27 +67,27 @@ pub(super) fn with_points<P: Point>(
 }
 
 /// The places of a curve at which it meets another one.
-pub(super) fn of_two<P: Point>(
+pub(crate) fn of_two<P: Point>(
     first: &(impl ParametricCurve<Point = P> + ?Sized),
     second: &dyn ParametricCurve<Point = P>,
     accuracy: P::Scalar,
 ) -> Option<Vec<Meeting<P>>> {
     let (a, b) = (first.pieces(), second.pieces());
-    let found = intersect::meetings(&a, &b, accuracy.to_f64(), P::Scalar::EPSILON.to_f64())?;
+    let found = super::meetings(&a, &b, accuracy.to_f64(), P::Scalar::EPSILON.to_f64())?;
     Some(with_points(first, second, found))
 }
 
 /// The places of a curve at which it meets itself.
-pub(super) fn of_one<P: Point>(
+pub(crate) fn of_one<P: Point>(
     curve: &(impl ParametricCurve<Point = P> + ?Sized),
     accuracy: P::Scalar,
 ) -> Option<Vec<Meeting<P>>> {
-    let found = intersect::self_meetings(&curve.pieces(), accuracy.to_f64(), P::Scalar::EPSILON.to_f64())?;
+    let found = super::self_meetings(&curve.pieces(), accuracy.to_f64(), P::Scalar::EPSILON.to_f64())?;
     Some(with_points(curve, curve, found))
 }
 
 /// The places at which a curve meets the plane through `point` across `normal`: zeros of the height above it.
-pub(super) fn of_plane<C: ParametricCurve + ?Sized>(
+pub(crate) fn of_plane<C: ParametricCurve + ?Sized>(
     curve: &C,
     point: C::Point,
     normal: CurveVector<C>,

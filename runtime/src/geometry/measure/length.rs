@@ -10,11 +10,11 @@
 
 use alloc::vec::Vec;
 
-use super::CurvePiece;
-use super::piece::derivative;
+use crate::CurvePiece;
 use crate::Scalar;
 use crate::bernstein;
 use crate::curve::{ELLIPSES, RULES, Rule};
+use crate::geometry::derivative;
 
 /// Below this depth a part is narrower than the distance of two floats.
 const DEPTH: u32 = 56;
@@ -149,7 +149,7 @@ impl Speed {
 
 /// The arc length, and the parameters of that many points at equal distances along the curve, both ends included.
 #[inline]
-pub(super) fn equal_distances(pieces: &[CurvePiece], count: usize, accuracy: f64) -> (f64, Vec<f64>) {
+pub(crate) fn equal_distances(pieces: &[CurvePiece], count: usize, accuracy: f64) -> (f64, Vec<f64>) {
     let total = length(pieces, accuracy);
     let steps = count.saturating_sub(1).max(1) as f64;
     let lengths: Vec<f64> = (0..count).map(|i| total * (i as f64 / steps)).collect();

@@ -3,14 +3,14 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
+use super::curve::within;
 use super::homogeneous::check_weights;
-use super::nurbs_curve::within;
-use super::slices::Lines;
-use super::{
+use crate::bspline::slices::Lines;
+use crate::bspline::{
     BSplineSurface, BezierPatch, Direction, Edge, Homogeneous, KnotError, KnotVector, Net, NurbsCurve,
     SplineError,
 };
-use crate::binomial::binomial;
+use crate::numeric::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::surface::partials_by_number;

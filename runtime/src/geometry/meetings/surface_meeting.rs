@@ -2,12 +2,12 @@
 
 use alloc::vec::Vec;
 
-use super::pierce::{Pierced, line_pieces, piercings};
-use super::{MeetingKind, ParametricCurve};
+use super::MeetingKind;
+use crate::geometry::pierce::{Pierced, line_pieces, piercings};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{distance, recast};
-use crate::{BoundedSurface, Point, Point3, Scalar};
+use crate::{BoundedSurface, ParametricCurve, Point, Point3, Scalar};
 
 /// A place at which a curve, a ray or a line meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ pub struct SurfaceMeeting<P: Point> {
 }
 
 /// The places of a curve at which it meets a surface.
-pub(super) fn of_curve<P: Point3>(
+pub(crate) fn of_curve<P: Point3>(
     curve: &(impl ParametricCurve<Point = P> + ?Sized),
     surface: &dyn BoundedSurface<Point = P>,
     accuracy: P::Scalar,
@@ -68,7 +68,7 @@ fn with_points<P: Point3>(
 ) -> Vec<SurfaceMeeting<P>> {
     let ranges = surface.domain();
     let meeting = |f: Pierced| {
-        let place = |k: usize, t: f64| super::clamped(ranges[k], P::Scalar::of(t));
+        let place = |k: usize, t: f64| crate::geometry::clamped(ranges[k], P::Scalar::of(t));
         let (at, surface_at) = (parameter(f.at[0]), [place(0, f.at[1]), place(1, f.at[2])]);
         let found = point(at);
         SurfaceMeeting {

@@ -1,6 +1,6 @@
 //! Homogeneous points, over which a rational curve is a polynomial one.
 
-use super::SplineError;
+use crate::bspline::SplineError;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::{Point, Scalar};

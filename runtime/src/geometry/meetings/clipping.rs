@@ -16,7 +16,7 @@
 
 use alloc::vec::Vec;
 
-use super::CurvePiece;
+use crate::CurvePiece;
 use crate::Scalar;
 
 /// How many pairs of parts are looked at before the rest is handed back.
@@ -312,7 +312,7 @@ impl<const N: usize, const D: usize> Search<'_, N, D> {
         for side in [1.0, -1.0] {
             let second = if opposed { -side } else { side };
             let aside = both_inside(foot, [side, second], reach.map(|reach| self.accuracy * reach));
-            if self.square_distance(aside) > 16.0 * self.accuracy * self.accuracy {
+            if self.square_distance(aside) > 6.25 * self.accuracy * self.accuracy {
                 return false;
             }
             extend(&mut around, aside);

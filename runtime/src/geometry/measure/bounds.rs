@@ -2,9 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::CurvePiece;
-use super::piece::{derivative, product};
+use crate::CurvePiece;
 use crate::bernstein::roots;
+use crate::geometry::{derivative, product};
 
 /// A polynomial for each piece, whose changes of sign along the curve are asked for.
 struct Signs<'a> {

@@ -1,0 +1,7 @@
+//! Numbers: elementary functions without `std`, binomial coefficients, quadrature rules, vector instructions.
+
+pub(crate) mod binomial;
+pub(crate) mod elementary;
+#[cfg(any(feature = "elements", feature = "geometry"))]
+pub(crate) mod gauss;
+pub(crate) mod simd;
