@@ -5,7 +5,8 @@ use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 use super::error::{error, is_missing_operator, is_missing_semicolon};
-use super::expr::{expr, loops};
+use super::expr::expr;
+use super::loops::loops;
 use super::tokens::{comparison, join, name, unexpected};
 use super::words::{PROPERTIES, at_word, equals, take_word, text_of};
 use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, ExprKind, Loops, Relation};

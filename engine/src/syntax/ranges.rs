@@ -5,7 +5,8 @@ use syn::parse::ParseStream;
 use syn::{Error, Result};
 
 use super::error::error;
-use super::expr::{expr, loops};
+use super::expr::expr;
+use super::loops::loops;
 use super::tokens::comparison;
 use super::words::{at_word, text_of};
 use super::{Bounds, Comparison, Expr, ExprKind, Limit, Name, RangeDecl, ShapeDecl};

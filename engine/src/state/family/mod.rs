@@ -9,6 +9,7 @@ mod chebyshev;
 mod identity;
 mod independent;
 mod point;
+mod positivity;
 mod powers;
 mod premises;
 #[cfg(any(test, feature = "rounding"))]
@@ -20,7 +21,7 @@ mod wronskian;
 
 use std::rc::Rc;
 
-use basis_prover::{Coordinate, Failure, Method, Shown, within};
+use basis_prover::{Coordinate, Failure, Method, Shown};
 
 use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
@@ -360,7 +361,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         return rounding::decide(family, epsilons);
     }
     if matches!(claim.kind, ClaimKind::TotallyPositive) {
-        return decide_total(family, claim);
+        return positivity::decide(family, claim);
     }
     if let Some(verdict) =
         beside::proved_at_once(family, claim).or_else(|| refuted_beside(family, claim, true))
@@ -520,63 +521,6 @@ fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Opt
         witness(family, &claim.kind, about, &found, &s.piece)
     };
     Some(refuted(witness, &s.of, &s.stated.of))
-}
-
-/// Decides whether functions are totally positive.
-fn decide_total(family: &Family, claim: &Claim) -> Verdict {
-    // Beside sines and exponentials, the search for a proof takes all the work that there is.
-    if chebyshev::is_mixed(family)
-        && let Some(verdict) = within(wronskian::FIRST_LOOK, &mut || refuted_by_wronskians(family, claim))
-    {
-        return verdict;
-    }
-    let by = |mut ways: Vec<usize>| {
-        let enough = said(family, claim, &mut Saying::Found(&mut ways))?;
-        let shown = all(enough.into_iter().map(|s| s.stated).listed(), family.budget).ok()?;
-        Some(if ways.first() == Some(&wronskian::BY_WRONSKIANS) {
-            Verdict::Proved(Evidence::new(String::from(wronskian::METHOD), steps(shown)).by(ways))
-        } else {
-            proved(family, claim, shown, ways)
-        })
-    };
-    let wronskians = || by(vec![wronskian::BY_WRONSKIANS]);
-    let found = if chebyshev::is_mixed(family) {
-        within(wronskian::FIRST_PROOF, &mut || wronskians()).or_else(|| by(Vec::new()))
-    } else {
-        by(Vec::new())
-    };
-    if let Some(verdict) = found {
-        return verdict;
-    }
-    if let Some(witness) = basis_prover::working(family.budget, &mut |work| total::refutation(family, work)) {
-        return Verdict::Refuted(Box::new(witness));
-    }
-    if let Some(verdict) = within(wronskian::WORK, &mut || refuted_by_wronskians(family, claim)) {
-        return verdict;
-    }
-    if let Some(verdict) = wronskians() {
-        return verdict;
-    }
-    Verdict::Undecided(String::from(if family.functions.len() > total::MAX_FUNCTIONS {
-        total::TOO_MANY
-    } else if chebyshev::is_mixed(family) {
-        chebyshev::OPEN
-    } else {
-        total::OPEN
-    }))
-}
-
-/// That functions are not totally positive by a Wronskian that is negative at a point.
-fn refuted_by_wronskians(family: &Family, claim: &Claim) -> Option<Verdict> {
-    let all = said(family, claim, &mut Saying::Plainly)?;
-    let assumed = all.iter().any(|s| !s.piece.is_exact());
-    let plain = all.iter().filter(|s| !is_wider(family, &s.stated.statement)).listed();
-    let found = if assumed {
-        refuted_under_premises(family, claim, &plain)
-    } else {
-        plain.into_iter().find_map(|s| refuted_alone(family, claim, s))
-    };
-    found.or_else(|| refuted_among(family, claim, all, false))
 }
 
 /// The minors of a family that `given` names, each of which has to be ≥ 0.
