@@ -3,12 +3,12 @@
 //!
 //! Prints a table in Markdown. All libraries get the same curves. The places that exist are those that any of them finds
 //! and that are places: the points of both curves there are nearer to each other than 1e-8 of the size of the curves. A library
-//! misses a place if none of its own is beside it in both parameters. kurbo knows lines alone.
+//! misses a place if none of its own is beside it in both parameters, nor has it in its intervals. kurbo knows lines alone.
 
 use std::time::{Duration, Instant};
 
 use basis_benches::Random;
-use basis_runtime::{Bezier, ParametricCurve};
+use basis_runtime::{Bezier, Meeting, ParametricCurve};
 use curvo::prelude::{HasIntersectionParameter as _, Intersects as _, NurbsCurve2D};
 use divan::black_box;
 use kurbo::{CubicBez, Line, PathSeg};
@@ -43,16 +43,41 @@ fn main() {
     );
 }
 
-/// The pairs of parameters at which a library says that two curves meet.
-type Finds<'a> = Option<&'a dyn Fn(&[Cubic; 2]) -> Vec<[f64; 2]>>;
+/// Parameters at which a library says that two curves meet, and the intervals in which they do.
+struct Answer {
+    at: [f64; 2],
+    around: [[f64; 2]; 2],
+}
+
+impl Answer {
+    /// Of a library that knows places alone.
+    fn alone(s: f64, t: f64) -> Self {
+        Self { at: [s, t], around: [[s, s], [t, t]] }
+    }
+
+    fn is_of(&self, place: [f64; 2]) -> bool {
+        let [s, t] = place;
+        let [first, second] = self.around;
+        beside(self.at, place) || first[0] <= s && s <= first[1] && second[0] <= t && t <= second[1]
+    }
+}
+
+impl From<&Meeting<P2>> for Answer {
+    fn from(meeting: &Meeting<P2>) -> Self {
+        Self { at: meeting.at, around: [meeting.first, meeting.second] }
+    }
+}
+
+/// The places at which a library says that two curves meet.
+type Finds<'a> = Option<&'a dyn Fn(&[Cubic; 2]) -> Vec<Answer>>;
 
 fn table(name: &str, pairs: &[[Cubic; 2]], libraries: [Finds<'_>; 4]) {
-    let found: Vec<Vec<Vec<[f64; 2]>>> =
+    let found: Vec<Vec<Vec<Answer>>> =
         libraries.iter().map(|finds| finds.map_or(Vec::new(), |f| pairs.iter().map(f).collect())).collect();
     let mut places: Vec<Vec<[f64; 2]>> = vec![Vec::new(); pairs.len()];
     for answers in &found {
         for ((places, answers), pair) in places.iter_mut().zip(answers).zip(pairs) {
-            for &at in answers {
+            for &Answer { at, .. } in answers {
                 if is_place(pair, at) && !places.iter().any(|&place| beside(place, at)) {
                     places.push(at);
                 }
@@ -79,7 +104,9 @@ fn table(name: &str, pairs: &[[Cubic; 2]], libraries: [Finds<'_>; 4]) {
         let missed: usize = places
             .iter()
             .zip(&found[k])
-            .map(|(places, own)| places.iter().filter(|&&p| !own.iter().any(|&at| beside(p, at))).count())
+            .map(|(places, own)| {
+                places.iter().filter(|&&p| !own.iter().any(|answer| answer.is_of(p))).count()
+            })
             .sum();
         let micros = 1e6 * best[k].as_secs_f64() / pairs.len() as f64;
         println!("| {name} | {total} | {library} | {missed} | {micros:.2} |");
@@ -100,14 +127,14 @@ fn line(&[from, .., to]: &Cubic) -> Cubic {
     [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].map(|x| [0, 1].map(|d| from[d] + x * (to[d] - from[d])))
 }
 
-fn ours([a, b]: &[Cubic; 2]) -> Vec<[f64; 2]> {
+fn ours([a, b]: &[Cubic; 2]) -> Vec<Answer> {
     let found = Bezier::from_points(*a).intersections(&Bezier::from_points(*b), 1e-9);
-    found.unwrap_or_default().iter().map(|meeting| meeting.at).collect()
+    found.unwrap_or_default().iter().map(Answer::from).collect()
 }
 
-fn our_lines([a, b]: &[Cubic; 2]) -> Vec<[f64; 2]> {
+fn our_lines([a, b]: &[Cubic; 2]) -> Vec<Answer> {
     let found = Bezier::from_points(*a).intersections(&Bezier::from_points([b[0], b[3]]), 1e-9);
-    found.unwrap_or_default().iter().map(|meeting| meeting.at).collect()
+    found.unwrap_or_default().iter().map(Answer::from).collect()
 }
 
 fn lyon(points: &Cubic) -> CubicBezierSegment<f64> {
@@ -115,27 +142,31 @@ fn lyon(points: &Cubic) -> CubicBezierSegment<f64> {
     CubicBezierSegment { from, ctrl1, ctrl2, to }
 }
 
-fn lyons([a, b]: &[Cubic; 2]) -> Vec<[f64; 2]> {
-    lyon(a).cubic_intersections_t(&lyon(b)).iter().map(|&(s, t)| [s, t]).collect()
+fn lyons([a, b]: &[Cubic; 2]) -> Vec<Answer> {
+    lyon(a).cubic_intersections_t(&lyon(b)).iter().map(|&(s, t)| Answer::alone(s, t)).collect()
 }
 
-fn lyon_lines([a, b]: &[Cubic; 2]) -> Vec<[f64; 2]> {
+fn lyon_lines([a, b]: &[Cubic; 2]) -> Vec<Answer> {
     let [from, to] = [b[0], b[3]].map(lyon_geom::Point::from);
-    lyon(a).line_segment_intersections_t(&LineSegment { from, to }).iter().map(|&(s, t)| [s, t]).collect()
+    lyon(a)
+        .line_segment_intersections_t(&LineSegment { from, to })
+        .iter()
+        .map(|&(s, t)| Answer::alone(s, t))
+        .collect()
 }
 
-fn curvos(pair: &[Cubic; 2]) -> Vec<[f64; 2]> {
+fn curvos(pair: &[Cubic; 2]) -> Vec<Answer> {
     let [a, b] = pair.map(|points| NurbsCurve2D::bezier(&points.map(Point2::from)));
     let found = a.find_intersection(&b, None).unwrap_or_default();
-    found.iter().map(|meeting| [meeting.a_parameter(), meeting.b_parameter()]).collect()
+    found.iter().map(|meeting| Answer::alone(meeting.a_parameter(), meeting.b_parameter())).collect()
 }
 
-fn kurbo_lines([a, b]: &[Cubic; 2]) -> Vec<[f64; 2]> {
+fn kurbo_lines([a, b]: &[Cubic; 2]) -> Vec<Answer> {
     let [p0, p1, p2, p3] = a.map(|[x, y]| kurbo::Point::new(x, y));
     let [from, to] = [b[0], b[3]].map(|[x, y]| kurbo::Point::new(x, y));
     let line = Line::new(from, to);
     let found = PathSeg::Cubic(CubicBez { p0, p1, p2, p3 }).intersect_line(line);
-    found.iter().map(|meeting| [meeting.segment_t, meeting.line_t]).collect()
+    found.iter().map(|meeting| Answer::alone(meeting.segment_t, meeting.line_t)).collect()
 }
 
 /// A cubic, and another one that touches it at a random point of both.

@@ -75,7 +75,8 @@ pub(super) fn witness(
             witness.at.extend(known.map(|c| (p.name.clone(), c)));
         }
     }
-    if matches!(kind, ClaimKind::Relation { .. }) {
+    // Of Wronskians each has its own variables.
+    if matches!(kind, ClaimKind::Relation { .. } | ClaimKind::TotallyPositive) {
         witness.idle = idle(family, kind.fixed(), stated);
     }
     let point = piece.image(&found.point);
