@@ -112,6 +112,7 @@ fn nearest(text: &str) -> Option<&'static str> {
     let last = text.rsplit('_').next().filter(|last| *last != text);
     crate::advice::closest(text, &PROPERTIES)
         .or_else(|| PROPERTIES.into_iter().find(|p| p.split('_').next() == Some(text)))
+        .or_else(|| PROPERTIES.into_iter().find(|p| text.len() > 3 && p.starts_with(text)))
         .or_else(|| crate::advice::closest(last?, &PROPERTIES))
 }
 
@@ -146,6 +147,10 @@ fn of_papers(text: &str) -> Option<String> {
     let order = match text.strip_prefix(['C', 'c']) {
         _ if text == "continuous" => 0,
         Some(order) => order.parse::<u8>().ok()?,
+        None if text.strip_prefix(['G', 'g']).is_some_and(|order| order.parse::<u8>().is_ok()) => {
+            let help = "of segments with one tangent write a theorem, `D(P)(1) parallel D(Q)(0)`; with equal derivatives claim `continuity(1)`";
+            return Some(String::from(help));
+        }
         None => return None,
     };
     Some(format!(

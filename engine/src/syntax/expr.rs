@@ -142,7 +142,7 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
     let help = match found.as_str() {
         _ if found.starts_with('d') && found.chars().count() == 2 && is_integral(before) => NO_DIFFERENTIAL,
         "and" | "or" => {
-            "write two claims, `,` between the members of a list, `&&` or `||` between conditions"
+            "write two claims, one chain for a range, `0 < λ < 1`, `,` between the members of a list, `&&` or `||` between conditions"
         }
         _ if PROPERTIES.contains(&found.as_str()) => {
             "a property is claimed of all functions, `prove nonnegative;`; of one function write an inequality, `b[0] >= 0`"

@@ -211,7 +211,14 @@ fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> 
         } else {
             (Home::Folder, "expected a path in quotation marks", "write `use \"quartic.basis\";`")
         };
-        let path: syn::LitStr = input.parse().map_err(|e| error(e.span(), expected, help))?;
+        let name = input.cursor().ident().map(|(name, _)| name.to_string());
+        let path: syn::LitStr = input.parse().map_err(|e| match &name {
+            Some(name) => {
+                let help = format!("write `use library \"{name}\";`, or `use \"{name}.basis\";` for a file");
+                error(e.span(), expected, help)
+            }
+            None => error(e.span(), expected, help),
+        })?;
         // Of a file this is said before; the compiler has its own words for escapes that it does not know.
         if path.token().to_string().contains('\\') {
             return Err(error(path.span(), glyphs::BACKSLASH, glyphs::SLASH));

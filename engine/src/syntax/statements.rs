@@ -44,10 +44,12 @@ const DOMAIN_HELP: &str = "write a range with two ends, such as `domain 0 <= t <
 /// `family Name(n in 1..=3) { … }`, after its doc comment.
 pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut SyntaxErrors) -> Result<Family> {
     take_word(input)?;
-    let name = name(input).map_err(|e| match input.cursor().literal() {
-        Some((number, _)) => error(number.span(), e.to_string(), NAME_HELP),
-        None => e,
-    })?;
+    if input.cursor().ident().is_none() {
+        let found = unexpected(input, "a name");
+        let help = if input.cursor().literal().is_some() { NAME_HELP } else { "write `family Name { … }`" };
+        return Err(error(found.span(), found.to_string(), help));
+    }
+    let name = name(input)?;
     let mut orders = Vec::new();
     if let Some((TokenTree::Group(g), _)) = input.cursor().token_tree()
         && g.delimiter() == Delimiter::Parenthesis
@@ -69,7 +71,11 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
     {
         let found = unexpected(input, &format!("`{{` after `family {}`", name.text));
         if !input.peek(Token![-]) && !input.peek(Token![.]) {
-            return Err(found);
+            return Err(error(
+                found.span(),
+                found.to_string(),
+                format!("write `family {} {{ … }}`", name.text),
+            ));
         }
         // What was a part of the name is not read as another mistake.
         while !input.is_empty() && !input.peek(syn::token::Brace) {
@@ -205,6 +211,13 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
                     ),
                 ));
             }
+            Some((TokenTree::Ident(within), _)) if within == "in" => {
+                let message = format!("`{other}` does not begin a statement");
+                let help = format!(
+                    "write `domain 0 <= {other} <= 1;` for the variable, `shape 0 <= {other} <= 1;` for a shape parameter"
+                );
+                return Err(error(word.span(), message, help));
+            }
             _ => return Err(unknown_statement(&word, other)),
         },
     };
@@ -269,6 +282,9 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
     let help = match kind {
         Some(StatementKind::Claim(_)) if at_word(input, "except") => {
             "`except` belongs to `independent`; for other claims narrow the range of the parameter"
+        }
+        Some(StatementKind::Claim(_)) if at_word(input, "at") => {
+            "a property is claimed for all values; at some of them claim its equations or inequalities, `prove at λ = 0 { b[0] >= 0; }`"
         }
         Some(StatementKind::Claim(_)) if input.peek(Token![,]) => {
             "write a statement for each claim: a statement ends with `;`"

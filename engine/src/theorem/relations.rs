@@ -3,7 +3,7 @@
 use basis_kernel::Relation;
 use proc_macro2::Span;
 
-use super::draft::Elaboration;
+use super::draft::{Elaboration, Value, kind};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{PolyExt as _, Var};
 use crate::algebra::range::{Range, Region};
@@ -117,9 +117,22 @@ impl Elaboration<'_> {
         range_of(&mut self.scope, bounds.target.span, low, high, &|| name.clone())
     }
 
+    /// A side of an assumption.
+    fn assumed(&mut self, side: &Expr) -> Option<Fraction> {
+        match self.definite(side)? {
+            Value::Scalar(value) => Some(value),
+            other => {
+                let message = format!("an assumption is about scalars, this is {}", kind(&other));
+                let error = self.scope.error(side.span, message);
+                self.scope.report(error.help("a control point gets its value by `let Q[0] = P[3];`"));
+                None
+            }
+        }
+    }
+
     /// Notes that two sides compare in this way.
     fn relate(&mut self, left: &Expr, sign: Comparison, right: &Expr, span: Span) -> Option<()> {
-        let (a, b) = (self.scalar(left)?, self.scalar(right)?);
+        let (a, b) = (self.assumed(left)?, self.assumed(right)?);
         let printer = Printer { constants: &self.scope.constants, component: None };
         let text = format!("{} {} {}", printer.print(left), sign.symbol(), printer.print(right));
         let relation = match sign {
