@@ -294,8 +294,8 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
             let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument, `b[0](t/2)` for `0 <= t <= 1/2`";
             return error(input.span(), "`at` fixes values, this is a range", help);
         }
-        if input.peek(syn::token::Brace) {
-            let help = "write `prove at t = 0 { b[0] = 1; }`, with a comma between values only";
+        if input.peek(syn::token::Brace) || input.peek(syn::token::Paren) {
+            let help = "write `prove at t = 0, λ = 1 { b[0] = 1; }`, with a comma between values and no parentheses";
             return error(input.span(), e.to_string(), help);
         }
         let braces = is_missing_semicolon(&e) || is_missing_operator(&e) && begins_equation(input);
@@ -385,6 +385,10 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
                 );
                 let message = format!("`{text}` is a property of the whole family, not an equation");
                 return Err(error(word.span(), message, help));
+            }
+            if text == "rounding" && matches!(left.kind, ExprKind::Call(..)) {
+                let message = "`rounding` takes no arguments";
+                return Err(error(word.span(), message, "write `rounding <= 5`, in units of ε"));
             }
             if PROPERTIES.contains(&text.as_str()) && matches!(left.kind, ExprKind::Call(..)) {
                 let help = format!(

@@ -140,7 +140,12 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         return Err(error(input.span(), message, format!("write `{name}({argument}){power}`")));
     }
     let help = match found.as_str() {
-        _ if found.starts_with('d') && found.chars().count() == 2 && is_integral(before) => NO_DIFFERENTIAL,
+        _ if found.starts_with('d')
+            && found.chars().count() == 2
+            && (is_integral(before) || is_last(input)) =>
+        {
+            NO_DIFFERENTIAL
+        }
         "and" | "or" => {
             "write two claims, one chain for a range, `0 < λ < 1`, `,` between the members of a list, `&&` or `||` between conditions"
         }
@@ -162,6 +167,11 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
 
 /// Of `integral(…) dt` what is meant by `dt` goes without saying.
 const NO_DIFFERENTIAL: &str = "leave the differential out: `integral(x)` is over the whole domain, `integral(x, t, a, b)` between bounds";
+
+/// Whether nothing follows after the next token, as in `integral(x dt)`.
+fn is_last(input: ParseStream<'_>) -> bool {
+    input.cursor().token_tree().is_some_and(|(_, after)| after.eof())
+}
 
 /// Whether an expression is a call of `integral`.
 fn is_integral(expr: &Expr) -> bool {

@@ -172,6 +172,10 @@ pub(super) fn index_range(input: ParseStream<'_>, hint: &str) -> Result<IndexRan
             format!(
                 "an index variable runs over a range, `for {name} in 0..=3`; the value of a parameter is fixed before the formula, `at {name} = 0 {{ b[0] = 1; }}`, that of an index parameter behind it, `if {name} == 2`"
             )
+        } else if input.peek(Token![,]) {
+            format!(
+                "each index variable has its range, `{name} in 0..=3, j in 0..=3`; all with a sum are `{name}, j in simplex(3)`"
+            )
         } else if input.peek(Token![+]) {
             String::from("all indices with a sum are written `i, j, k in simplex(2)`")
         } else {

@@ -173,6 +173,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
         }
         "budget" => {
             take_word(input)?;
+            super::words::no_equals(input, "budget 10")?;
             StatementKind::Budget(expr(input)?)
         }
         other => match after.token_tree() {
@@ -283,6 +284,12 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         Some(StatementKind::Claim(_)) if at_word(input, "except") => {
             "`except` belongs to `independent`; for other claims narrow the range of the parameter"
         }
+        Some(StatementKind::Claim(_)) if input.peek(syn::token::Brace) => {
+            "values are fixed by `at`: `prove at t = 0 { b[0] = 1; }`"
+        }
+        _ if input.peek(Token![for]) => {
+            "all index variables stand behind one `for`, `for i in 0..=n, j in 0..=n if i != j`, and conditions at the end"
+        }
         Some(StatementKind::Claim(_)) if at_word(input, "at") => {
             "a property is claimed for all values; at some of them claim its equations or inequalities, `prove at λ = 0 { b[0] >= 0; }`"
         }
@@ -313,6 +320,9 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
             StatementKind::Function(FunctionDef { value, .. }) | StatementKind::Let(NameDef { value, .. }),
         ) if input.peek(Token![,]) && ends_in_number(value) && begins_digits(input) => {
             "a number has a decimal point: write `0.5`"
+        }
+        Some(StatementKind::Function(_)) if input.peek(Token![,]) => {
+            "the formulas on neighbouring spans are separated by a bar, `b[0] = t | 2 - t;`, statements by `;`"
         }
         _ if input.peek(Token![!]) => "write `factorial(n)`",
         _ => "a statement ends with `;`",
@@ -440,6 +450,10 @@ fn function(input: ParseStream<'_>) -> Result<FunctionDef> {
 
 /// `base n = 3 { … }` after its first word.
 fn base(input: ParseStream<'_>) -> Result<StatementKind> {
+    if input.peek(syn::token::Brace) {
+        let found = unexpected(input, "the index parameter").to_string();
+        return Err(error(input.span(), found, "name the lowest order: `base n = 1 { … }`"));
+    }
     let name = name(input)?;
     equals(input, &name)?;
     let value = expr(input)?;

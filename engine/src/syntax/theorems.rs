@@ -133,8 +133,14 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
             let value = expr(input)?;
             TheoremStatementKind::Let(target, value, loops(input)?)
         }
-        "dimension" => TheoremStatementKind::Dimension(expr(input)?),
-        "budget" => TheoremStatementKind::Budget(expr(input)?),
+        "dimension" => {
+            super::words::no_equals(input, "dimension 2")?;
+            TheoremStatementKind::Dimension(expr(input)?)
+        }
+        "budget" => {
+            super::words::no_equals(input, "budget 10")?;
+            TheoremStatementKind::Budget(expr(input)?)
+        }
         "prove" | "refute" | "conjecture" => {
             let expected = Expected::of(&word).unwrap_or(Expected::True);
             TheoremStatementKind::Claim(assertion(input, expected)?)
@@ -156,6 +162,9 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
     if !input.peek(Token![;]) {
         let message = unexpected(input, "`;` or an operator").to_string();
         let help = match &kind {
+            TheoremStatementKind::Patch(..) if input.peek(syn::token::Brace) => {
+                "control points stand in brackets: `curve P = Bernstein(1) [(0, 0), (1, 1)];`"
+            }
             _ if !input.peek(Token![,]) && !input.peek(Token![&&]) && !input.peek(Token![||]) => {
                 "a statement ends with `;`"
             }
@@ -240,6 +249,12 @@ fn no_relation(input: ParseStream<'_>, left: &Expr) -> syn::Error {
         let message = format!("`{word}` alone is not a claim of a theorem");
         let help = "properties such as `nonnegative` are claims of families; here write `… == …`, `… > …` or `… parallel …`";
         return error(left.span, message, help);
+    }
+    if let ExprKind::Call(callee, _) = &left.kind
+        && matches!(&callee.kind, ExprKind::Name(word) if word == "parallel")
+    {
+        let help = "write `a parallel b`: the same direction and the same sense";
+        return error(left.span, "`parallel` stands between two vectors", help);
     }
     let joint = |word: &str| {
         let order = word.strip_prefix(['C', 'G', 'c', 'g']).unwrap_or("0");

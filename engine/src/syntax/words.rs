@@ -52,6 +52,14 @@ pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
     }
 }
 
+/// Refuses `=` behind a word that a number follows.
+pub(super) fn no_equals(input: ParseStream<'_>, instead: &str) -> Result<()> {
+    if !input.peek(Token![=]) {
+        return Ok(());
+    }
+    Err(error(input.span(), unexpected(input, "a number").to_string(), format!("write `{instead};`")))
+}
+
 /// The tokens from one place of a file to another as they are written, in one line: with one space wherever space, a
 /// line end or a comment separates two of them.
 pub(super) fn text_of(from: Cursor<'_>, to: Cursor<'_>) -> Rc<str> {

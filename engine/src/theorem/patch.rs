@@ -411,6 +411,7 @@ impl Elaboration<'_> {
             self.scope.report(error.help("write `(0, 1)` for a point, `[(0, 0), (0, 1)]` for a row of two"));
             return None;
         }
+        self.check_rows(def, listed, name, value)?;
         if flat.len() != def.functions.len() {
             let wanted = count_points(def.functions.len());
             let error =
@@ -426,6 +427,40 @@ impl Elaboration<'_> {
         }
         def.used = vec![None; def.points.len()];
         Some(())
+    }
+
+    /// A net is written in rows, those of the functions with the same first index.
+    fn check_rows(&self, def: &PatchDef, listed: &[Expr], name: &Name, value: &Expr) -> Option<()> {
+        let width = def.functions.first().map_or(0, |(index, _)| index.len());
+        let lengths: Vec<usize> = listed
+            .iter()
+            .map(|e| match &e.kind {
+                ExprKind::List(row) => row.len(),
+                _ => 0,
+            })
+            .listed();
+        let in_rows = lengths.iter().any(|length| *length > 0);
+        let is_net = width == 2 && def.dependent.is_none();
+        if !is_net && !in_rows {
+            return Some(());
+        }
+        let rows = def.functions.chunk_by(|(a, _), (b, _)| a.first() == b.first()).map(<[_]>::len).listed();
+        if is_net && rows == lengths {
+            return Some(());
+        }
+        let error =
+            self.scope.error(value.span, format!("the control points of `{}` are not its net", name.text));
+        let help = if is_net {
+            let (count, first) = (rows.len(), rows.first().copied().unwrap_or(0));
+            format!(
+                "write a list of {count} rows, of those with the same first index, the first one of {}: `[[(0, 0), (0, 1)], [(1, 0), (1, 1)]]`",
+                count_points(first)
+            )
+        } else {
+            String::from("write one list of points in the order of the functions, `[(0, 0), (1, 0), (0, 1)]`")
+        };
+        self.scope.report(error.help(help));
+        None
     }
 
     /// A point that can be any point: a unit, or with coordinates a combination of basis vectors.

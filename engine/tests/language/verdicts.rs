@@ -1,6 +1,7 @@
 //! What papers write beyond single formulas: names with arguments, lists, chains, factors of families; each with true
 //! claims and with false ones beside them, whose values were computed by other means.
 
+use crate::rechecked::rechecked;
 use crate::support::recheck;
 use basis_engine::{Source, Verdict, check};
 
@@ -893,4 +894,53 @@ fn differences_are_in_the_variables_themselves() {
             "at c = 1, t = 1/2 the difference is 1/8",
         ]
     );
+}
+
+/// From order 3 on the functions of the order before were taken over with its numbers of variables: t became s[3].
+#[test]
+fn recursions_with_more_parameters_in_each_order() {
+    let report = check(Source::text(
+        "claims.basis",
+        "family Raised(n in 1..=4) {
+            domain 0 <= t <= 1;
+            shape 0 < s[i] for i in 1..=n;
+            shape 0 < r if n > 2;
+            base n = 1 { b[0] = 1 - t; b[1] = t; }
+            raise b[i] = (1 - t)*b[i] + t*b[i - 1];
+            prove b = Bernstein(n);
+            prove nonnegative;
+        }
+        family Weighted(n in 1..=3) {
+            domain 0 <= t <= 1;
+            shape 0 < s[i] for i in 1..=n;
+            base n = 1 { b[0] = 1 - t; b[1] = s[1]*t; }
+            raise b[i] = (1 - t)*b[i] + s[n]*t*b[i - 1];
+            prove b[n] = product(s[i] for i in 1..=n)*t^n;
+        }",
+    ));
+    for verdict in rechecked(&report) {
+        assert!(matches!(verdict, Verdict::Proved(_)), "{verdict:?}");
+    }
+    assert_eq!(rechecked(&report).len(), 4 * 2 + 3);
+}
+
+/// The parameters of a list are given in the order of their indices, in whichever a chain names them.
+#[test]
+fn lists_of_parameters_are_in_order() {
+    let report = check(Source::text(
+        "claims.basis",
+        "family Falling {
+            domain 0 <= t <= 1;
+            shape 0 <= γ[i] <= γ[i - 1] for i in 1..=2;
+            b[0] = γ[0];
+            b[1] = γ[1]*t;
+            b[2] = γ[2];
+        }
+        theorem Values {
+            curve P = Falling(3, 2, 1);
+            prove P(0) == 3*P[0] + P[2];
+        }",
+    ));
+    let verdicts = rechecked(&report);
+    assert!(verdicts.len() == 1 && matches!(verdicts[0], Verdict::Proved(_)), "{:?}", report.diagnostics);
 }

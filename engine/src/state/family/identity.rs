@@ -353,6 +353,8 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
     let expressions =
         basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, false, work));
     let own = expressions.unwrap_or_default().into_iter().find(|(label, ..)| label == of);
+    // What is too long to be expanded once more has only its value.
+    let is_known = own.is_some();
     let difference = own.map_or_else(Fraction::zero, |(_, value, _)| value);
     let (readable, mut names) = in_variables(family, difference.clone());
     if let ClaimKind::Continuity(joint) = kind {
@@ -370,7 +372,7 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
                 Some(value) => format!("1 + {value}"),
                 None => (&witness.value + &Rational::ONE).to_string(),
             };
-            if in_tangents {
+            if in_tangents || !is_known {
                 return vec![format!("the sum of the functions is {value}{place}")];
             }
             let sum = abbreviated(&(&readable + &one).display(&names));
@@ -404,8 +406,8 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             String::from("a function, once moved, is not among the functions and differs from itself"),
             format!("`{of}` is {}{place}", witness.value_text()),
         ],
-        _ if is_number => vec![format!("`{of}` is {}", witness.value_text())],
-        _ if in_tangents => vec![format!("`{of}` is {}{place}", witness.value_text())],
+        _ if is_number && is_known => vec![format!("`{of}` is {}", witness.value_text())],
+        _ if in_tangents || !is_known => vec![format!("`{of}` is {}{place}", witness.value_text())],
         _ => vec![format!("`{of}` is `{shown}`"), format!("{here}it is {}", witness.value_text())],
     }
 }

@@ -10,6 +10,7 @@ use proc_macro2::Span;
 use self::indices::{MAX_FUNCTIONS, sizes};
 use self::single::{numbered_corners, permuted};
 use super::names;
+use crate::algebra::poly::Var;
 use crate::model::scope::{Definition, Needed, PlannedFunction, Scope};
 use crate::model::tuples::numbered;
 use crate::model::{Family, Function, label};
@@ -394,8 +395,14 @@ fn order_before(scope: &Scope<'_>, written: &syntax::Family, lowest: i64, wanted
     for order in lowest + 1..wanted {
         family = Some(scope.library.family(scope.unit, &written.name.text, &[order]).ok()?);
     }
-    // Each order may have angles of its own.
-    family.filter(|f| f.analytic.is_empty() && scope.analytic.is_empty())
+    // Each order may have angles of its own, and shape parameters, so that its variables have other numbers.
+    family.filter(|f| {
+        let is_same = |v: &Var| f.names.get(v.0).is_some_and(|name| scope.names.get(v.0) == Some(name));
+        let variables = |f: &Function| [f.value.numer(), f.value.denom()].map(|p| p.variables()).concat();
+        f.analytic.is_empty()
+            && scope.analytic.is_empty()
+            && f.functions.iter().all(|f| variables(f).iter().all(is_same))
+    })
 }
 
 /// The indices of the next order: those of a simplex with a sum greater by one, else one more in each place.

@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use basis_kernel::Relation;
-use basis_prover::collections::list::Mapped;
+use basis_prover::collections::list::{Listed, Mapped};
 use proc_macro2::Span;
 
 use super::{Shapes, constrain};
@@ -174,9 +174,9 @@ fn one(
     }
     let printer = Printer { constants: &scope.constants, component: None };
     let texts = decl.parts.mapped(|part| printer.print(part));
-    let mut values: Vec<Fraction> = Vec::new();
-    for (k, part) in parts.iter().enumerate() {
-        values.push(match part {
+    let mut found = vec![None; parts.len()];
+    for k in in_order(&parts) {
+        found[k] = Some(match &parts[k] {
             Part::Value(value) => value.clone(),
             Part::New(name) => {
                 let range = Range {
@@ -203,6 +203,7 @@ fn one(
             }
         });
     }
+    let values: Vec<Fraction> = found.into_iter().flatten().listed();
     for k in 1..parts.len() {
         let (a, b) = (&parts[k - 1], &parts[k]);
         // A number beside a new name is the end of its range.
@@ -217,6 +218,28 @@ fn one(
         constrain(scope, &(&values[k] - &values[k - 1]), relation, text, span, shapes)?;
     }
     Some(())
+}
+
+/// The places of a chain: the parameters of one list in the order of their indices, which is that of their values everywhere.
+fn in_order(parts: &[Part]) -> Vec<usize> {
+    let entry = |k: usize| {
+        let Part::New(name) = &parts[k] else { return None };
+        let (list, index) = name.text.strip_suffix(']')?.split_once('[')?;
+        Some((list, index.split(',').map(str::parse).collect::<Result<Vec<i64>, _>>().ok()?))
+    };
+    let mut order = (0..parts.len()).listed();
+    for k in 0..parts.len() {
+        for later in k + 1..parts.len() {
+            let smaller = match (entry(order[k]), entry(order[later])) {
+                (Some((a, i)), Some((b, j))) => a == b && j < i,
+                _ => false,
+            };
+            if smaller {
+                order.swap(k, later);
+            }
+        }
+    }
+    order
 }
 
 /// The number at which the range of the part at a place ends, as far as that is known from its chain.
@@ -276,6 +299,16 @@ fn name_of(scope: &mut Scope<'_>, expr: &Expr) -> Option<Option<Name>> {
             let mut index = Vec::new();
             for i in indices {
                 index.push(attempt(scope, &mut |scope| scope.whole(i, "the index of a shape parameter"))?);
+            }
+            if index.iter().any(|i| *i < 0) {
+                let error =
+                    scope.error(expr.span, format!("the index of `{}` is negative", label(name, &index)));
+                scope.report(
+                    error.help(
+                        "let the loop begin later, or give that end of the range a statement of its own",
+                    ),
+                );
+                return None;
             }
             Some(Some(Name { text: label(name, &index), span: expr.span }))
         }
