@@ -10,7 +10,7 @@ use proc_macro2::Span;
 use self::indices::{MAX_FUNCTIONS, sizes};
 use self::single::{numbered_corners, permuted};
 use super::names;
-use crate::algebra::poly::Var;
+use crate::algebra::poly::{Poly, Var};
 use crate::model::scope::{Definition, Needed, PlannedFunction, Scope};
 use crate::model::tuples::numbered;
 use crate::model::{Family, Function, label};
@@ -398,7 +398,7 @@ fn order_before(scope: &Scope<'_>, written: &syntax::Family, lowest: i64, wanted
     // Each order may have angles of its own, and shape parameters, so that its variables have other numbers.
     family.filter(|f| {
         let is_same = |v: &Var| f.names.get(v.0).is_some_and(|name| scope.names.get(v.0) == Some(name));
-        let variables = |f: &Function| [f.value.numer(), f.value.denom()].map(|p| p.variables()).concat();
+        let variables = |f: &Function| [f.value.numer(), f.value.denom()].map(Poly::variables).concat();
         f.analytic.is_empty()
             && scope.analytic.is_empty()
             && f.functions.iter().all(|f| variables(f).iter().all(is_same))
