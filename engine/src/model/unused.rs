@@ -18,7 +18,7 @@ const MOST: usize = 10;
 /// each without one of its ends, and any real number `a`.
 fn shared_range(decls: &[syntax::ShapeDecl], place: &dyn Fn(Span) -> Place) -> Option<Diagnostic> {
     let text = |part: &Expr| Printer { constants: &[], component: None }.print(part);
-    let named = |part: &Expr| name(part).is_some_and(|n| !PI.contains(&n));
+    let named = |part: &Expr| part.named().is_some_and(|n| !PI.contains(&n));
     let sign = |included: &[bool]| if included == [true] { "<=" } else { "<" };
     // A range with one end: what stands before and behind a name in its place, and that name.
     let one_end = |d: &syntax::ShapeDecl| match &d.parts[..] {
@@ -83,7 +83,7 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
                     for part in &decl.parts {
                         // Beside another name π is the number.
                         let pi = |n: &str| PI.contains(&n) && decl.names().len() > 1;
-                        match name(part).filter(|n| !pi(n)) {
+                        match part.named().filter(|n| !pi(n)) {
                             Some(known) if declared.iter().all(|(other, _)| *other != known) => {
                                 declared.push((known, part.span));
                                 if let ExprKind::Index(_, indices) = &part.kind {
@@ -173,55 +173,15 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
     all
 }
 
-/// The name that an expression is, also with an index.
-fn name(expr: &Expr) -> Option<&str> {
-    match &expr.kind {
-        ExprKind::Name(name) => Some(name),
-        ExprKind::Index(base, _) => match &base.kind {
-            ExprKind::Name(name) => Some(name),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
 /// Adds the names in an expression.
 fn names<'e>(expr: &'e Expr, used: &mut Vec<&'e str>) {
     match &expr.kind {
-        ExprKind::Number(_) => {}
-        ExprKind::Name(name) => {
-            used.push(name);
-        }
-        ExprKind::Neg(inner) => names(inner, used),
-        ExprKind::Sum(parts) => {
-            for (_, part) in parts {
-                names(part, used);
-            }
-        }
-        ExprKind::Product(parts) => {
-            for (_, part) in parts {
-                names(part, used);
-            }
-        }
-        ExprKind::Power(base, exponent) => {
-            names(base, used);
-            names(exponent, used);
-        }
-        ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
-            names(base, used);
-            for part in rest {
-                names(part, used);
-            }
-        }
-        ExprKind::List(parts) | ExprKind::Tuple(parts) => {
-            for part in parts {
-                names(part, used);
-            }
-        }
-        ExprKind::Each(body, loops) => {
-            names(body, used);
-            in_loops(loops, used);
-        }
+        ExprKind::Name(name) => used.push(name),
+        ExprKind::Each(_, loops) => in_loops(loops, used),
+        _ => {}
+    }
+    for part in expr.parts() {
+        names(part, used);
     }
 }
 

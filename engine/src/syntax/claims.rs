@@ -5,8 +5,7 @@ use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 use super::error::{error, is_missing_operator, is_missing_semicolon};
-use super::expr::expr;
-use super::loops::loops;
+use super::expr::{expr, loops};
 use super::tokens::{comparison, join, name, unexpected};
 use super::words::{PROPERTIES, at_word, equals, take_word, text_of};
 use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, ExprKind, Loops, Relation};
@@ -278,24 +277,27 @@ fn bindings(input: ParseStream<'_>) -> Result<Vec<Binding>> {
     Ok(all)
 }
 
+/// What is claimed elsewhere than at values.
+const ON_A_PART: &str = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument, `b[0](t/2)` for `0 <= t <= 1/2`";
+
 /// `at t = 0, λ = 1 { b = [1, 0]; D(b) = [-1, 1]; }`
 fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     take_word(input)?;
     let start = input.fork();
     let fixed = bindings(input).map_err(|e| {
         // at 0 <= t <= 1/2: a part of the domain.
-        let inequality =
-            expr(&start).is_ok() && comparison(&start).is_ok_and(|sign| sign.is_some_and(|s| s != Comparison::Equal));
+        let inequality = expr(&start).is_ok()
+            && comparison(&start).is_ok_and(|sign| sign.is_some_and(|s| s != Comparison::Equal));
         if inequality {
-            let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument, `b[0](t/2)` for `0 <= t <= 1/2`; for some of the shape values declare a family with that range";
+            let help = format!("{ON_A_PART}; for some of the shape values declare a family with that range");
             return error(start.span(), "`at` fixes values, this is a range", help);
         }
         if input.peek(Token![in]) {
-            let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument, `b[0](t/2)` for `0 <= t <= 1/2`";
-            return error(input.span(), "`at` fixes values, this is a range", help);
+            return error(input.span(), "`at` fixes values, this is a range", ON_A_PART);
         }
         if input.peek(syn::token::Brace) || input.peek(syn::token::Paren) {
-            let help = "write `prove at t = 0, λ = 1 { b[0] = 1; }`, with a comma between values and no parentheses";
+            let help =
+                "write `prove at t = 0, λ = 1 { b[0] = 1; }`, with a comma between values and no parentheses";
             return error(input.span(), e.to_string(), help);
         }
         let braces = is_missing_semicolon(&e) || is_missing_operator(&e) && begins_equation(input);

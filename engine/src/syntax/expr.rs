@@ -5,21 +5,18 @@
 use basis_prover::collections::list::Listed;
 use proc_macro2::{Delimiter, Literal, TokenTree};
 use syn::buffer::Cursor;
+use syn::ext::IdentExt;
 use syn::parse::ParseStream;
-use syn::{Result, Token};
+use syn::{Ident, Result, Token};
 
-use super::error::{NO_OPERATOR, error, missing_semicolon};
+use super::error::error;
 use super::glyphs::MAX_NESTING;
-use super::loops::loops;
-use super::tokens::{join, name, number, unexpected};
-use super::words::{PROPERTIES, text_of};
-use super::{Expr, ExprKind, Role, Sign};
+use super::side_by_side::{missing_operator, power_of_function};
+use super::tokens::{comparison, join, name, number, unexpected};
+use super::{Condition, Expr, ExprKind, Generator, IndexRange, Loops, Role, Sign};
 
-/// Functions that papers write without parentheses.
-const FUNCTIONS: [&str; 7] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "exp"];
-
-/// Longer arguments are not repeated in messages.
-const LONGEST_SHOWN: usize = 20;
+/// The most index variables of one `for`, and the most indices of a function.
+pub(super) const MAX_INDICES: usize = 16;
 
 /// An expression.
 pub(super) fn expr(input: ParseStream<'_>) -> Result<Expr> {
@@ -27,7 +24,7 @@ pub(super) fn expr(input: ParseStream<'_>) -> Result<Expr> {
 }
 
 /// The error for an expression whose tree is too high: what walks over it calls itself.
-pub(super) fn check_depth(input: ParseStream<'_>, depth: usize) -> Result<()> {
+fn check_depth(input: ParseStream<'_>, depth: usize) -> Result<()> {
     if depth <= MAX_NESTING {
         return Ok(());
     }
@@ -84,100 +81,6 @@ fn flat<T>(mut parts: Vec<(T, Expr)>, kind: fn(Vec<(T, Expr)>) -> ExprKind) -> E
     }
 }
 
-/// Whether a word begins a claim or another statement, and is nobody's name.
-fn is_statement(word: &str) -> bool {
-    ["prove", "refute", "conjecture", "curve", "surface", "scalar", "assume", "let"].contains(&word)
-}
-
-/// Whether `b[1] = …` follows: a definition, not a factor.
-fn begins_definition(input: ParseStream<'_>) -> bool {
-    let Some((_, after)) = input.cursor().ident() else { return false };
-    let Some((TokenTree::Group(index), after)) = after.token_tree() else { return false };
-    let Some((sign, after)) = after.punct() else { return false };
-    let equation = sign.as_char() == '=' && after.punct().is_none_or(|(next, _)| next.as_char() != '=');
-    index.delimiter() == Delimiter::Bracket && equation
-}
-
-/// Whether what follows on the next line can be another statement: anything but a loop, which needs its `for`.
-fn begins_statement(input: ParseStream<'_>) -> bool {
-    let Some((_, after)) = input.cursor().token_tree() else { return false };
-    after.ident().is_none_or(|(word, _)| word != "in" && word != "for")
-}
-
-/// Two factors side by side, as papers write them, are an error with the place of the missing sign; on two lines it is
-/// the end of a statement that is missing.
-fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
-    let found = match input.cursor().token_tree() {
-        Some((TokenTree::Ident(i), _))
-            if i != "for" && i != "if" && i != "except" && i != "in" && i != "parallel" =>
-        {
-            i.to_string()
-        }
-        Some((TokenTree::Literal(l), _)) => l.to_string(),
-        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => String::from("("),
-        _ => return Ok(()),
-    };
-    if begins_definition(input) {
-        return Err(missing_semicolon(before.span));
-    }
-    let next_line = input.span().start().line > before.span.end().line;
-    if is_statement(&found) || next_line && begins_statement(input) {
-        return Err(missing_semicolon(before.span));
-    }
-    let function = match &before.kind {
-        ExprKind::Name(name) if FUNCTIONS.contains(&name.as_str()) => Some((name.clone(), String::new())),
-        ExprKind::Power(base, exponent) => match (&base.kind, &exponent.kind) {
-            (ExprKind::Name(name), ExprKind::Number(n)) if FUNCTIONS.contains(&name.as_str()) => {
-                Some((name.clone(), format!("^{n}")))
-            }
-            _ => None,
-        },
-        _ => None,
-    };
-    if let Some((name, power)) = function {
-        let argument = if found == "(" { "…" } else { &found };
-        let message = format!("the argument of `{name}` goes in parentheses");
-        return Err(error(input.span(), message, format!("write `{name}({argument}){power}`")));
-    }
-    let help = match found.as_str() {
-        _ if found.starts_with('d')
-            && found.chars().count() == 2
-            && (is_integral(before) || is_last(input)) =>
-        {
-            NO_DIFFERENTIAL
-        }
-        "and" | "or" => {
-            "write two claims, one chain for a range, `0 < λ < 1`, `,` between the members of a list, `&&` or `||` between conditions"
-        }
-        _ if PROPERTIES.contains(&found.as_str()) => {
-            "a property is claimed of all functions, `prove nonnegative;`; of one function write an inequality, `b[0] >= 0`"
-        }
-        "is" => "write `==`, `>=`, …, or of two vectors `a parallel b`",
-        "where" | "when" | "with" => {
-            "ranges are declared, `shape 0 <= λ <= 1;` (in theorems `scalar`), conditions `assume λ <= μ;`; index variables follow after `for`, and what holds of them and of index parameters after `if`: `if n > 1`"
-        }
-        "at" => "a place comes first: `prove at t = 0 { b[0] = 1; }`",
-        "triangle" | "tetrahedron" => {
-            "the factors of a domain are separated by commas: `domain -1 <= z <= 1, triangle (u, v, w);`"
-        }
-        _ => "write `*` between the factors of a product",
-    };
-    Err(error(input.span(), format!("{NO_OPERATOR}`{found}`"), help))
-}
-
-/// Of `integral(…) dt` what is meant by `dt` goes without saying.
-const NO_DIFFERENTIAL: &str = "leave the differential out: `integral(x)` is over the whole domain, `integral(x, t, a, b)` between bounds";
-
-/// Whether nothing follows after the next token, as in `integral(x dt)`.
-fn is_last(input: ParseStream<'_>) -> bool {
-    input.cursor().token_tree().is_some_and(|(_, after)| after.eof())
-}
-
-/// Whether an expression is a call of `integral`.
-fn is_integral(expr: &Expr) -> bool {
-    matches!(&expr.kind, ExprKind::Call(callee, _) if matches!(&callee.kind, ExprKind::Name(n) if n == "integral"))
-}
-
 /// −x binds looser than x^2 and may be repeated.
 fn factor(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
     let start = input.span();
@@ -221,25 +124,6 @@ fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
     };
     let span = join(base.span, exponent.span);
     Ok(Expr { span, kind: ExprKind::Power(Box::new(base), Box::new(exponent)) })
-}
-
-/// `sin^2(t)`, as papers write it, is an error with what to write in its place.
-fn power_of_function(input: ParseStream<'_>, base: &Expr) -> Result<()> {
-    let ExprKind::Name(name) = &base.kind else { return Ok(()) };
-    if name != "D" && !FUNCTIONS.contains(&name.as_str()) {
-        return Ok(());
-    }
-    let Some((TokenTree::Literal(exponent), after)) = input.cursor().token_tree() else { return Ok(()) };
-    let Some((_, _, behind)) = after.group(Delimiter::Parenthesis) else { return Ok(()) };
-    let argument = text_of(after, behind);
-    let argument = argument.trim_start_matches('(').trim_end_matches(')');
-    let argument = if argument.chars().count() > LONGEST_SHOWN { "…" } else { argument };
-    if name == "D" {
-        let message = "the order of a derivative is no exponent";
-        return Err(error(exponent.span(), message, format!("write `D({argument}, {exponent})`")));
-    }
-    let message = format!("the exponent stands between `{name}` and its argument");
-    Err(error(exponent.span(), message, format!("write `{name}({argument})^{exponent}`")))
 }
 
 fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
@@ -458,4 +342,197 @@ fn separator(content: ParseStream<'_>) -> Result<()> {
         return Err(error(content.span(), found.to_string(), help));
     }
     Ok(())
+}
+
+/// `for i in 0..=n, j in 0..=n if i != j`, or a part of it, or nothing.
+pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
+    let mut result = Loops::default();
+    if input.peek(Token![for]) {
+        input.parse::<Token![for]>()?;
+        let start = input.span();
+        let mut names = 0;
+        loop {
+            let generator = generator(input)?;
+            names += match &generator {
+                Generator::Range(_) => 1,
+                Generator::Simplex(names, _) => names.len(),
+            };
+            if names > MAX_INDICES {
+                let message = format!("a `for` has at most {MAX_INDICES} index variables");
+                return Err(error(start, message, "write several statements"));
+            }
+            result.generators.push(generator);
+            if !input.peek(Token![,]) || begins_range(input) {
+                break;
+            }
+            input.parse::<Token![,]>()?;
+        }
+    }
+    if input.peek(Token![if]) {
+        input.parse::<Token![if]>()?;
+        result.condition = Some(Box::new(any(input, 0)?));
+    }
+    Ok(result)
+}
+
+/// Conditions joined by `||`, which binds looser than `&&`.
+fn any(input: ParseStream<'_>, depth: usize) -> Result<Condition> {
+    check_depth(input, depth)?;
+    let mut parts = vec![all(input, depth)?];
+    while input.peek(Token![||]) {
+        input.parse::<Token![||]>()?;
+        parts.push(all(input, depth)?);
+    }
+    Ok(if parts.len() > 1 { Condition::Any(parts) } else { parts.remove(0) })
+}
+
+/// Conditions joined by `&&`.
+fn all(input: ParseStream<'_>, depth: usize) -> Result<Condition> {
+    let mut parts = vec![condition(input, depth)?];
+    while input.peek(Token![&&]) {
+        input.parse::<Token![&&]>()?;
+        parts.push(condition(input, depth)?);
+    }
+    Ok(if parts.len() > 1 { Condition::All(parts) } else { parts.remove(0) })
+}
+
+/// A comparison, or a condition in brackets, perhaps with `!` in front.
+fn condition(input: ParseStream<'_>, depth: usize) -> Result<Condition> {
+    if input.peek(Token![!]) && !input.peek(Token![!=]) {
+        let not = input.parse::<Token![!]>()?;
+        if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis)
+            && !input.peek(Token![!])
+        {
+            let help = "write `!(i == j)`, or `i != j`";
+            return Err(error(not.span, "`!` needs a condition in brackets", help));
+        }
+        check_depth(input, depth)?;
+        return Ok(Condition::Not(Box::new(condition(input, depth + 1)?)));
+    }
+    if let Some((TokenTree::Group(g), _)) = input.cursor().token_tree()
+        && g.delimiter() == Delimiter::Parenthesis
+        && compares(g.stream())
+    {
+        let content;
+        syn::parenthesized!(content in input);
+        let inner = any(&content, depth + 1)?;
+        if !content.is_empty() {
+            return Err(unexpected(&content, "`)`, `&&` or `||`"));
+        }
+        return Ok(inner);
+    }
+    let left = expr(input)?;
+    let Some(sign) = comparison(input)? else {
+        return Err(unexpected(input, "a comparison such as `!=`"));
+    };
+    Ok(Condition::Compare(left, sign, expr(input)?))
+}
+
+/// Whether brackets hold a condition and not a number: a sign of a comparison or `!` stands in them, perhaps deeper.
+fn compares(tokens: proc_macro2::TokenStream) -> bool {
+    tokens.into_iter().any(|token| match token {
+        TokenTree::Punct(p) => "<>=!".contains(p.as_char()),
+        TokenTree::Group(g) => g.delimiter() == Delimiter::Parenthesis && compares(g.stream()),
+        _ => false,
+    })
+}
+
+/// Whether a range of a shape parameter follows after the comma, `, 0 <= μ`, and not another index variable.
+fn begins_range(input: ParseStream<'_>) -> bool {
+    let ahead = input.fork();
+    ahead.parse::<Token![,]>().is_ok()
+        && !ahead.is_empty()
+        && (ahead.cursor().ident().is_none() || !ahead.peek2(Token![in]) && !ahead.peek2(Token![,]))
+        && ahead.call(expr).is_ok()
+        && ahead.call(comparison).is_ok_and(|sign| sign.is_some())
+}
+
+/// `i in low..=high`, or `i, j, k in simplex(n)`.
+fn generator(input: ParseStream<'_>) -> Result<Generator> {
+    let ahead = input.fork();
+    if ahead.cursor().ident().is_none() {
+        return Ok(Generator::Range(index_range(input, NO_SCALAR)?));
+    }
+    let mut names = vec![name(&ahead)?];
+    while ahead.peek(Token![,]) {
+        ahead.parse::<Token![,]>()?;
+        match name(&ahead) {
+            Ok(name) => names.push(name),
+            Err(_) => break,
+        }
+    }
+    let simplex = ahead.peek(Token![in])
+        && ahead.parse::<Token![in]>().is_ok()
+        && ahead.cursor().ident().is_some_and(|(word, _)| word == "simplex");
+    if !simplex {
+        return Ok(Generator::Range(index_range(input, NO_SCALAR)?));
+    }
+    ahead.call(Ident::parse_any)?;
+    let content;
+    syn::parenthesized!(content in ahead);
+    let sum = expr(&content)?;
+    if !content.is_empty() {
+        return Err(unexpected(&content, "`)`"));
+    }
+    syn::parse::discouraged::Speculative::advance_to(input, &ahead);
+    Ok(Generator::Simplex(names, sum))
+}
+
+/// What an index is, for those who mean a scalar.
+const NO_SCALAR: &str =
+    "; indices run over whole numbers, and a claim is about all values of its parameters without `for`";
+
+/// `i in low..=high`.
+pub(super) fn index_range(input: ParseStream<'_>, hint: &str) -> Result<IndexRange> {
+    if input.cursor().ident().is_none() {
+        let found = unexpected(input, "the name of an index").to_string();
+        let help = if input.peek(syn::token::Paren) {
+            String::from(
+                "index variables stand without parentheses: `i in 0..=3`, or `i, j, k in simplex(2)` for all with the sum 2",
+            )
+        } else {
+            format!("write a range, such as `i in 0..=3`{hint}")
+        };
+        return Err(error(input.span(), found, help));
+    }
+    let name = name(input)?;
+    if !input.peek(Token![in]) {
+        let found = unexpected(input, &format!("`in` after `{}`", name.text)).to_string();
+        let name = if name.text == "all" { "i" } else { &name.text };
+        let help = if input.peek(Token![=]) && !hint.is_empty() {
+            format!(
+                "an index variable runs over a range, `for {name} in 0..=3`; the value of a parameter is fixed before the formula, `at {name} = 0 {{ b[0] = 1; }}`, that of an index parameter behind it, `if {name} == 2`"
+            )
+        } else if input.peek(Token![,]) {
+            format!(
+                "each index variable has its range, `{name} in 0..=3, j in 0..=3`; all with a sum are `{name}, j in simplex(3)`"
+            )
+        } else if input.peek(Token![+]) {
+            String::from("all indices with a sum are written `i, j, k in simplex(2)`")
+        } else {
+            format!("write a range, such as `{name} in 0..=3`{hint}")
+        };
+        return Err(error(input.span(), found, help));
+    }
+    input.parse::<Token![in]>()?;
+    let low = expr(input)?;
+    let inclusive = input.peek(Token![..=]);
+    if input.peek(Token![...]) {
+        return Err(error(input.span(), "`...` is not a sign of a range", "write `0..=3` for 0, 1, 2, 3"));
+    }
+    if inclusive {
+        input.parse::<Token![..=]>()?;
+    } else if input.peek(Token![..]) {
+        input.parse::<Token![..]>()?;
+    } else {
+        let help = format!("write `0..=3` for 0, 1, 2, 3{hint}");
+        return Err(error(low.span, "this is not a range of an index", help));
+    }
+    if input.is_empty() || input.peek(Token![;]) {
+        let found = unexpected(input, "the last value").to_string();
+        let help = format!("write both ends of the range, such as `{} in 1..=8`", name.text);
+        return Err(error(input.span(), found, help));
+    }
+    let high = expr(input)?;
+    Ok(IndexRange { name, low, high, inclusive })
 }

@@ -7,9 +7,9 @@ mod error;
 mod expr;
 mod glyphs;
 mod latex;
-mod loops;
 mod parse;
 mod ranges;
+mod side_by_side;
 mod statements;
 mod theorems;
 mod tokens;
@@ -165,17 +165,7 @@ pub struct Limit {
 impl ShapeDecl {
     /// The names in the chain, those with an index without it.
     pub fn names(&self) -> Vec<&str> {
-        let mut names = Vec::new();
-        for part in &self.parts {
-            let named = match &part.kind {
-                ExprKind::Index(base, _) => base,
-                _ => part,
-            };
-            if let ExprKind::Name(name) = &named.kind {
-                names.push(name.as_str());
-            }
-        }
-        names
+        self.parts.iter().filter_map(Expr::named).collect()
     }
 }
 

@@ -5,8 +5,7 @@ use syn::parse::ParseStream;
 use syn::{Error, Result};
 
 use super::error::error;
-use super::expr::expr;
-use super::loops::loops;
+use super::expr::{expr, loops};
 use super::tokens::comparison;
 use super::words::{at_word, text_of};
 use super::{Bounds, Comparison, Expr, ExprKind, Limit, Name, RangeDecl, ShapeDecl};
@@ -26,35 +25,26 @@ pub(super) fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
 pub(super) fn shapes(input: ParseStream<'_>) -> Result<ShapeDecl> {
     let help = SHAPE_HELP;
     let (parts, included) = chain(input, help)?;
-    if !parts.iter().any(is_target) {
+    if !parts.iter().any(|part| part.named().is_some()) {
         let part = parts.get(usize::from(parts.len() > 2)).unwrap_or(&parts[0]);
         return Err(no_target(part.span, help));
     }
     Ok(ShapeDecl { parts, included, loops: loops(input)? })
 }
 
-/// Whether an expression is a name, or a name with an index.
-fn is_target(e: &Expr) -> bool {
-    match &e.kind {
-        ExprKind::Name(_) => true,
-        ExprKind::Index(base, _) => matches!(base.kind, ExprKind::Name(_)),
-        _ => false,
-    }
-}
-
 /// A range as papers write it, whose name may have an index, `-3 < γ[1]`.
 pub(super) fn bounds(input: ParseStream<'_>, help: &str) -> Result<Bounds> {
     let start = input.span();
     let (parts, included) = chain(input, help)?;
-    let target = |e: Expr| if is_target(&e) { Ok(e) } else { Err(no_target(e.span, help)) };
+    let target = |e: Expr| if e.named().is_some() { Ok(e) } else { Err(no_target(e.span, help)) };
     let limit = |value, included: &bool| Some(Limit { value, included: *included });
     let mut parts = parts.into_iter();
     match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
         (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
         (Some(a), Some(b), None, [i]) => {
-            if is_target(&b) {
+            if b.named().is_some() {
                 Ok(Bounds { target: b, low: limit(a, i), high: None })
-            } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
+            } else if a.named().is_none() && matches!(a.kind, ExprKind::Number(_)) {
                 target(b).map(|target| Bounds { target, low: limit(a, i), high: None })
             } else {
                 Ok(Bounds { target: target(a)?, low: None, high: limit(b, i) })

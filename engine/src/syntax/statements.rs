@@ -6,8 +6,7 @@ use syn::{Result, Token};
 
 use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
-use super::expr::expr;
-use super::loops::{MAX_INDICES, index_range, loops};
+use super::expr::{MAX_INDICES, expr, index_range, loops};
 use super::ranges::{self, range};
 use super::tokens::{join, name, unexpected};
 use super::words::{Doc, at_word, doc, equals, names_between, skip_statement, take_word};

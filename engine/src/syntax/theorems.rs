@@ -6,8 +6,7 @@ use syn::{Result, Token};
 
 use super::claims::assumption;
 use super::error::{error, is_missing_semicolon};
-use super::expr::expr;
-use super::loops::loops;
+use super::expr::{expr, loops};
 use super::ranges::{SHAPE_HELP, bounds};
 use super::tokens::{comparison, join, name, unexpected};
 use super::words::{Doc, at_word, doc, names_between, skip_statement, take_word, text_of};

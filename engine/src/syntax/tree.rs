@@ -15,6 +15,18 @@ pub struct Expr {
 }
 
 impl Expr {
+    /// The name that it is, perhaps with an index, which is left out.
+    pub fn named(&self) -> Option<&str> {
+        let base = match &self.kind {
+            ExprKind::Index(base, _) => base,
+            _ => self,
+        };
+        match &base.kind {
+            ExprKind::Name(name) => Some(name),
+            _ => None,
+        }
+    }
+
     /// The expressions of which it consists.
     pub fn parts(&self) -> Vec<&Self> {
         match &self.kind {
@@ -54,6 +66,15 @@ impl Expr {
             ExprKind::Number(_) | ExprKind::Each(..) => self.kind.clone(),
         };
         Self { kind, ..self.clone() }
+    }
+
+    /// The names that stand in it, but for those in loops.
+    pub fn names(&self) -> Vec<&str> {
+        let own = match &self.kind {
+            ExprKind::Name(name) => Some(name.as_str()),
+            _ => None,
+        };
+        own.into_iter().chain(self.parts().into_iter().flat_map(Self::names)).collect()
     }
 
     /// Whether one of some names stands in it.

@@ -21,6 +21,7 @@ use crate::source::SourceId;
 use crate::subject::{Item, Subject as About};
 use crate::syntax::{self, Assertion, Expr, ExprKind, TheoremStatement, TheoremStatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort;
 
 /// The most coordinates of a point.
 const MAX_DIMENSION: i64 = 8;
@@ -69,13 +70,14 @@ fn theorem(
 
 /// Statements in an order in which scalars are declared before they are used.
 fn in_order(written: &[TheoremStatement]) -> Vec<&TheoremStatement> {
-    let scalar = |statement: &TheoremStatement| match &statement.kind {
-        TheoremStatementKind::Scalar(bounds, _) => name_of(&bounds.target).map(String::from),
+    let scalar = |(k, statement): (usize, &'_ TheoremStatement)| match &statement.kind {
+        TheoremStatementKind::Scalar(bounds, _) => Some((String::from(bounds.target.named()?), k)),
         _ => None,
     };
-    let mut later: Vec<(usize, String)> =
-        written.iter().enumerate().filter_map(|(k, statement)| Some((k, scalar(statement)?))).listed();
-    let mut order = Vec::new();
+    let mut scalars = written.iter().enumerate().filter_map(scalar).listed();
+    sort(&mut scalars);
+    let mut order: Vec<usize> = Vec::new();
+    let mut is_placed = vec![false; written.len()];
     for (k, statement) in written.iter().enumerate() {
         let used: Vec<&Expr> = match &statement.kind {
             TheoremStatementKind::Patch(_, _, value) => vec![value],
@@ -83,29 +85,22 @@ fn in_order(written: &[TheoremStatement]) -> Vec<&TheoremStatement> {
             TheoremStatementKind::Assume(relation) => vec![&relation.left, &relation.right],
             _ => Vec::new(),
         };
-        let is_scalar = scalar(statement).is_some();
-        later.retain(|(own, name)| {
-            let now = used.iter().any(|e| e.has_name(&|n| n == name));
-            if now {
-                order.push(&written[*own]);
+        let mut next = Vec::new();
+        for name in used.into_iter().flat_map(Expr::names) {
+            let first = scalars.partition_point(|(scalar, _)| scalar.as_str() < name);
+            next.extend(
+                scalars[first..].iter().take_while(|(scalar, _)| scalar == name).map(|(_, own)| *own),
+            );
+        }
+        sort(&mut next);
+        next.push(k);
+        for own in next {
+            if !core::mem::replace(&mut is_placed[own], true) {
+                order.push(own);
             }
-            // One that comes here anyway is not moved.
-            !now && *own != k
-        });
-        if !is_scalar || order.iter().all(|earlier| !core::ptr::eq(*earlier, statement)) {
-            order.push(statement);
         }
     }
-    order
-}
-
-/// The name that an expression is, also with an index.
-fn name_of(expr: &Expr) -> Option<&str> {
-    match &expr.kind {
-        ExprKind::Name(name) => Some(name),
-        ExprKind::Index(base, _) => name_of(base),
-        _ => None,
-    }
+    order.into_iter().map(|k| &written[k]).listed()
 }
 
 impl Elaboration<'_> {

@@ -19,6 +19,8 @@ mod diagonal;
 mod factors;
 pub(crate) mod outcome;
 pub(crate) mod problem;
+
+pub use problem::open;
 mod subdivision;
 pub(crate) mod univariate;
 mod witness;

@@ -141,7 +141,7 @@ pub(crate) fn inner(range: &Range, count: usize) -> Vec<Rational> {
 }
 
 /// The range without its ends.
-pub(crate) fn open(range: &Range) -> Range {
+pub fn open(range: &Range) -> Range {
     let open = |end: &End| end.value().map_or(End::Infinite, |v| End::Excluded(v.clone()));
     Range { low: open(&range.low), high: open(&range.high) }
 }

@@ -25,6 +25,7 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::angle::{Analytic, Angle, Kind};
+use crate::model::bernstein::to_bernstein;
 
 /// More terms than this are not expanded.
 const MAX_TERMS: usize = 6000;
@@ -299,18 +300,7 @@ pub(crate) fn without(
     }
     // Between narrow bounds nothing is lost by the coefficients of Bernstein's polynomials, and they have a variable less.
     let powers = whole.coefficients_in(angle.itself);
-    let degree = powers.len().saturating_sub(1) as u32;
-    let binomial = |n: u32, k: u32| {
-        (0..k).fold(Rational::ONE, |b, i| &b * &Rational::new(i64::from(n - i), i64::from(i + 1)))
-    };
-    let coefficient = |k: u32| {
-        let mut terms = powers.iter().take(k as usize + 1).zip(0..);
-        terms.try_fold(Poly::zero(), |sum, (power, j)| {
-            let share = binomial(k, j).checked_div(&binomial(degree, j))?;
-            Some(&sum + &power.scale(&share))
-        })
-    };
-    (0..=degree).map(coefficient).collect()
+    Some(to_bernstein(&powers, powers.len().saturating_sub(1) as u32))
 }
 
 /// The polynomials of a row of a matrix, in which the variable of the angle runs from 0 to 1 between the bounds: all times the

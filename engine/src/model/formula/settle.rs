@@ -213,12 +213,6 @@ impl Scope<'_> {
                     Some(near) => format!("the denominator vanishes {near}"),
                     None => format!("the denominator vanishes at {at}"),
                 };
-                // A claim is about the family as it is.
-                let help = if self.stage == Stage::Complete && help.starts_with("leave this value out") {
-                    format!("multiply the claim by the denominator, or {help}")
-                } else {
-                    help
-                };
                 labelled(Diagnostic::error(place.clone(), message)).help(help)
             }
             Err(Open::Undecided(left)) => labelled(Diagnostic::error(
@@ -270,14 +264,14 @@ impl Scope<'_> {
         if self.domain.contains(&var) && !at(&range.low) && !at(&range.high) {
             return format!("choose a domain without {name} = {value}");
         }
-        if self.domain.contains(&var) {
-            return format!("leave this value out: `domain {};`", narrowed.display(name));
-        }
         if self.subject == Subject::Theorem {
-            format!("leave this value out: `assume {name} {sign} {value};`")
-        } else {
-            format!("leave this value out: `shape {};`", narrowed.display(name))
+            return format!("leave this value out: `assume {name} {sign} {value};`");
         }
+        // A claim is about the family as it is.
+        let instead =
+            if self.stage == Stage::Complete { "multiply the claim by the denominator, or " } else { "" };
+        let word = if self.domain.contains(&var) { "domain" } else { "shape" };
+        format!("{instead}leave this value out: `{word} {};`", narrowed.display(name))
     }
 
     /// A value must stay in the range of the parameter that it stands for.

@@ -149,6 +149,11 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
     Some(all.filter(counts).map(|said| said.stated).listed())
 }
 
+/// Whether ways begin with that to total positivity by Wronskians.
+fn by_wronskians(kind: &ClaimKind, ways: &[usize]) -> bool {
+    matches!(kind, ClaimKind::TotallyPositive) && ways.first() == Some(&wronskian::BY_WRONSKIANS)
+}
+
 /// What a claim says of each part of the points.
 fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<Said>> {
     let kind = &claim.kind;
@@ -170,15 +175,11 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
     }
     let is_total = matches!(kind, ClaimKind::TotallyPositive);
     let plainly = matches!(saying, Saying::Plainly);
-    let by_wronskians = is_total
-        && match saying {
-            Saying::Enough(ways) => {
-                let first = ways.as_slice().first() == Some(&wronskian::BY_WRONSKIANS);
-                first && ways.next().is_some()
-            }
-            Saying::Found(ways) => ways.first() == Some(&wronskian::BY_WRONSKIANS),
-            Saying::Plainly | Saying::By(..) => false,
-        };
+    let by_wronskians = match saying {
+        Saying::Enough(ways) => by_wronskians(kind, ways.as_slice()) && ways.next().is_some(),
+        Saying::Found(ways) => by_wronskians(kind, ways),
+        Saying::Plainly | Saying::By(..) => false,
+    };
     let inside;
     let family = if by_wronskians {
         inside = wronskian::inside(family);
@@ -472,7 +473,12 @@ fn refuted_alone(family: &Family, claim: &Claim, s: &Said) -> Option<Verdict> {
 
 /// That a claim is true by the proofs of what is enough for it, to which some ways lead.
 fn proved(family: &Family, claim: &Claim, shown: Vec<(String, Shown)>, ways: Vec<usize>) -> Verdict {
-    Verdict::Proved(Evidence::new(method(family, &claim.kind, &shown), steps(shown)).by(ways))
+    let method = if by_wronskians(&claim.kind, &ways) {
+        String::from(wronskian::METHOD)
+    } else {
+        method(family, &claim.kind, &shown)
+    };
+    Verdict::Proved(Evidence::new(method, steps(shown)).by(ways))
 }
 
 /// That an expression is not as claimed; where the label of the statement says more, of several parts, it is named.

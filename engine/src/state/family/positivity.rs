@@ -5,11 +5,11 @@ use basis_prover::within;
 
 use super::{
     Saying, all, chebyshev, is_wider, proved, refuted_alone, refuted_among, refuted_under_premises, said,
-    steps, total, wronskian,
+    total, wronskian,
 };
 use crate::claim::Claim;
 use crate::model::Family;
-use crate::state::verdict::{Evidence, Verdict};
+use crate::state::verdict::Verdict;
 
 /// Decides whether functions are totally positive.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
@@ -22,11 +22,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     let by = |mut ways: Vec<usize>| {
         let enough = said(family, claim, &mut Saying::Found(&mut ways))?;
         let shown = all(enough.into_iter().map(|s| s.stated).listed(), family.budget).ok()?;
-        Some(if ways.first() == Some(&wronskian::BY_WRONSKIANS) {
-            Verdict::Proved(Evidence::new(String::from(wronskian::METHOD), steps(shown)).by(ways))
-        } else {
-            proved(family, claim, shown, ways)
-        })
+        Some(proved(family, claim, shown, ways))
     };
     let wronskians = || by(vec![wronskian::BY_WRONSKIANS]);
     let found = if chebyshev::is_mixed(family) {

@@ -23,7 +23,6 @@ use basis_prover::collections::list::{Listed, Mapped};
 
 use super::total::determinant;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::range::{End, Range};
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
 use crate::model::{Family, Function};
@@ -47,8 +46,7 @@ pub(super) const METHOD: &str = "positive Wronskians of neighbouring functions";
 pub(super) fn inside(family: &Family) -> Family {
     let mut inside = family.clone();
     for parameter in &mut inside.domain {
-        let open = |end: &End| end.value().map_or(End::Infinite, |x| End::Excluded(x.clone()));
-        parameter.range = Range { low: open(&parameter.range.low), high: open(&parameter.range.high) };
+        parameter.range = basis_prover::sign::open(&parameter.range);
     }
     inside
 }
@@ -63,11 +61,7 @@ pub(super) fn sufficient(family: &Family, work: &mut Work) -> Option<Vec<(String
             differentiate(family, &mut jets, work)?;
         }
         for first in 0..=count - size {
-            let rows = jets[first..first + size].to_vec();
-            let value = family.analytic.reduced(determinant(rows, work)?);
-            let labels = (first..first + size).map(|k| family.function_label(k)).listed();
-            let of =
-                if size == 1 { labels[0].clone() } else { format!("Wronskian of {}", labels.join(", ")) };
+            let (of, value) = wronskian(family, &jets, &(first..first + size).listed(), work)?;
             let comparison = if size == count { Comparison::GreaterEqual } else { Comparison::Greater };
             all.push((of, value, comparison));
         }
@@ -89,6 +83,20 @@ pub(super) fn conditions(family: &Family, work: &mut Work) -> Vec<(String, Fract
         all.extend(wronskians);
     }
     all
+}
+
+/// The Wronskian of some functions, of which all derivatives are given that it contains, and its name.
+fn wronskian(
+    family: &Family,
+    jets: &[Vec<Fraction>],
+    functions: &[usize],
+    work: &mut Work,
+) -> Option<(String, Fraction)> {
+    let labels = functions.mapped(|k| family.function_label(*k));
+    let of =
+        if let [alone] = &labels[..] { alone.clone() } else { format!("Wronskian of {}", labels.join(", ")) };
+    let value = determinant(functions.mapped(|k| jets[*k].clone()), work)?;
+    Some((of, family.analytic.reduced(value)))
 }
 
 /// Adds the next derivative to those of each function.
@@ -113,11 +121,8 @@ fn of_size(
         let last = if size == 2 { jets.len() } else { first + 2 };
         for second in first + 1..last {
             let functions = core::iter::once(first).chain(second..second + size - 1);
-            let functions = functions.listed();
-            let rows = functions.mapped(|k| jets[*k].clone());
-            let value = family.analytic.reduced(determinant(rows, work)?);
-            let labels = functions.mapped(|k| family.function_label(*k));
-            all.push((format!("Wronskian of {}", labels.join(", ")), value, Comparison::GreaterEqual));
+            let (of, value) = wronskian(family, jets, &functions.listed(), work)?;
+            all.push((of, value, Comparison::GreaterEqual));
         }
     }
     Some(all)

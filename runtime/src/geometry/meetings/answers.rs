@@ -151,14 +151,8 @@ impl Answers {
             clipping::extend(&mut around, aside);
         }
         // Where one ends, the other one goes on alone.
-        for k in 0..2 {
-            let alone = 2.0 * self.accuracy / Scalar::sqrt(dot(&columns[k], &columns[k]));
-            for step in [alone, -alone] {
-                let mut aside = places;
-                aside[k] = (aside[k] + step).clamp(0.0, 1.0);
-                clipping::extend(&mut around, aside);
-            }
-        }
+        let alone = [0, 1].map(|k| 2.0 * self.accuracy / Scalar::sqrt(dot(&columns[k], &columns[k])));
+        clipping::extend_alone(&mut around, places, alone);
         let pieces = [a, b];
         [0, 1].map(|k| around[k].map(|place| pieces[k].parameter(place)))
     }

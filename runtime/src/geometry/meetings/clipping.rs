@@ -64,6 +64,18 @@ pub(super) fn extend(intervals: &mut [[f64; 2]; 2], to: [f64; 2]) {
     }
 }
 
+/// Extends intervals to the places that are some steps away in one of both parameters.
+#[inline]
+pub(super) fn extend_alone(intervals: &mut [[f64; 2]; 2], from: [f64; 2], steps: [f64; 2]) {
+    for k in 0..2 {
+        for step in [steps[k], -steps[k]] {
+            let mut aside = from;
+            aside[k] = (aside[k] + step).clamp(0.0, 1.0);
+            extend(intervals, aside);
+        }
+    }
+}
+
 /// From where, and in which unit, pieces are seen: all components are at most 1 then.
 #[derive(Clone, Copy)]
 pub(super) struct View<'a> {
@@ -318,15 +330,8 @@ impl<const N: usize, const D: usize> Search<'_, N, D> {
             extend(&mut around, aside);
         }
         // Where one ends, the other one goes on alone.
-        for k in 0..2 {
-            let slope = (0..D).map(|d| slopes[k][d] * slopes[k][d]).sum::<f64>();
-            let alone = self.accuracy / Scalar::sqrt(slope);
-            for step in [alone, -alone] {
-                let mut aside = foot;
-                aside[k] = (aside[k] + step).clamp(0.0, 1.0);
-                extend(&mut around, aside);
-            }
-        }
+        let squares = slopes.map(|slope| slope.iter().map(|x| x * x).sum::<f64>());
+        extend_alone(&mut around, foot, squares.map(|square| self.accuracy / Scalar::sqrt(square)));
         self.outcome.near.push(around);
         true
     }

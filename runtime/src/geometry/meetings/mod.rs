@@ -26,7 +26,8 @@ use alloc::vec::Vec;
 use crate::CurvePiece;
 use beside::{difference, dot, point};
 use clipping::View;
-use search::{Pair, Search};
+use search::Search;
+use single::Pair;
 
 pub use meeting::{Meeting, PlaneMeeting};
 pub use surface_meeting::SurfaceMeeting;

@@ -6,21 +6,15 @@ use alloc::vec::Vec;
 use super::answers::Answers;
 use super::beside::{self, Near, Straight, dot};
 use super::clipping::{self, View};
-use super::single::{Single, at_most_one, is_forward};
+use super::single::{Pair, Single, at_most_one, is_forward};
 use super::{Found, MeetingKind, line, merged};
 use crate::{CurvePiece, Scalar};
 
-/// After so many pairs of parts, those that are left are compared in twice the accuracy, and so on.
+/// After this number of pairs of parts, those that are left are compared in twice the accuracy, and so on.
 const WORK: usize = 40_000;
 
 /// What straight parts may be away from their chords, in the unit of the accuracy.
 const STRAIGHT: f64 = 0.125;
-
-/// Two parts that may meet; of one curve the first one comes before the second one.
-pub(super) struct Pair {
-    pub(super) first: CurvePiece,
-    pub(super) second: CurvePiece,
-}
 
 pub(super) struct Search<'a> {
     accuracy: f64,

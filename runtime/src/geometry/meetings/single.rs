@@ -4,9 +4,14 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::beside::{dot, pseudo_inverse, state};
-use super::search::Pair;
 use crate::geometry::{derivative, product};
 use crate::{CurvePiece, Scalar};
+
+/// Two parts that may meet; of one curve the first one comes before the second one.
+pub(super) struct Pair {
+    pub(super) first: CurvePiece,
+    pub(super) second: CurvePiece,
+}
 
 /// What is known of parts that meet at most once.
 pub(super) enum Single {

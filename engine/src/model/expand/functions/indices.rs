@@ -43,14 +43,9 @@ pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool
     let last = scope.defined.values().max_by_key(|definition| definition.place);
     let span = last.map_or(written.name.span, |definition| definition.span);
     let error = scope.error(span, format!("{} {verb} missing", list(&names)));
-    let error = match digits(scope, width) {
-        Some(help) => {
-            scope.report(error.help(help));
-            return false;
-        }
-        None => error,
-    };
-    scope.report(if let [_] = places.as_slice() {
+    scope.report(if let Some(help) = digits(scope, width) {
+        error.help(help)
+    } else if let [_] = places.as_slice() {
         on_simplex(scope, error, &missing, sum)
     } else if !places.is_empty() {
         on_product(scope, error, &places, &first)

@@ -4,6 +4,7 @@ use core::ops::ControlFlow;
 
 use basis_kernel::Relation;
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::{sort, sort_by};
 use proc_macro2::Span;
 
 use super::{Shapes, constrain};
@@ -105,7 +106,7 @@ pub(super) fn declare(
 fn has_index(scope: &Scope<'_>, decl: &ShapeDecl, rounds: &[Vec<(String, i64)>]) -> bool {
     let is_indexed = |e: &Expr| matches!(e.kind, ExprKind::Index(..));
     let Some(generator) = decl.loops.generators.first() else { return true };
-    let named = decl.parts.iter().find_map(|part| Some((written_name(part)?, part.span)));
+    let named = decl.parts.iter().find_map(|part| Some((part.named()?, part.span)));
     let Some((name, span)) = named.filter(|_| !decl.parts.iter().any(is_indexed)) else { return true };
     let index = match generator {
         Generator::Range(range) => &range.name.text,
@@ -119,15 +120,6 @@ fn has_index(scope: &Scope<'_>, decl: &ShapeDecl, rounds: &[Vec<(String, i64)>])
     let names = values.flat_map(|(_, k)| [format!("{list}_{k}"), format!("{list}{k}")]);
     scope.undeclared.borrow_mut().extend(names);
     false
-}
-
-/// The name that a part of a chain is, without its index.
-pub(super) fn written_name(part: &Expr) -> Option<&str> {
-    match &part.kind {
-        ExprKind::Name(name) => Some(name),
-        ExprKind::Index(base, _) => written_name(base),
-        _ => None,
-    }
 }
 
 /// A chain with fixed values of its index variables.
@@ -155,7 +147,7 @@ fn one(
     }
     let is_new = |part: &Part| matches!(part, Part::New(_));
     if !parts.iter().any(is_new) {
-        let part = decl.parts.iter().find(|part| is_named(part)).unwrap_or(&decl.parts[0]);
+        let part = decl.parts.iter().find(|part| part.named().is_some()).unwrap_or(&decl.parts[0]);
         let error = scope.error(part.span, "the chain declares no shape parameter");
         scope.report(error.help("write `assume …;` for what is assumed of parameters that are declared"));
         return None;
@@ -222,22 +214,20 @@ fn one(
 
 /// The places of a chain: the parameters of one list in the order of their indices, which is that of their values everywhere.
 fn in_order(parts: &[Part]) -> Vec<usize> {
-    let entry = |k: usize| {
-        let Part::New(name) = &parts[k] else { return None };
+    let entry = |part: &'_ Part| {
+        let Part::New(name) = part else { return None };
         let (list, index) = name.text.strip_suffix(']')?.split_once('[')?;
-        Some((list, index.split(',').map(str::parse).collect::<Result<Vec<i64>, _>>().ok()?))
+        let index = index.split(',').map(str::parse::<i64>).collect::<Result<Vec<_>, _>>().ok()?;
+        Some((String::from(list), index))
     };
+    let placed = |(place, part)| entry(part).map(|(list, index)| (list, index, place));
+    let mut entries: Vec<(String, Vec<i64>, usize)> = parts.iter().enumerate().filter_map(placed).listed();
+    sort_by(&mut entries, |(a, _, p), (b, _, q)| (a, p).cmp(&(b, q)));
+    let places = entries.mapped(|(.., place)| *place);
+    sort(&mut entries);
     let mut order = (0..parts.len()).listed();
-    for k in 0..parts.len() {
-        for later in k + 1..parts.len() {
-            let smaller = match (entry(order[k]), entry(order[later])) {
-                (Some((a, i)), Some((b, j))) => a == b && j < i,
-                _ => false,
-            };
-            if smaller {
-                order.swap(k, later);
-            }
-        }
+    for (place, (.., own)) in places.into_iter().zip(entries) {
+        order[place] = own;
     }
     order
 }
@@ -271,15 +261,6 @@ fn hull(parts: &[Part], decl: &ShapeDecl, at: usize, above: bool, shapes: &Shape
         if better {
             found = if strict { End::Excluded(value) } else { End::Included(value) };
         }
-    }
-}
-
-/// Whether an expression is a name, perhaps with an index.
-fn is_named(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Name(_) => true,
-        ExprKind::Index(base, _) => matches!(base.kind, ExprKind::Name(_)),
-        _ => false,
     }
 }
 
@@ -320,12 +301,12 @@ fn name_of(scope: &mut Scope<'_>, expr: &Expr) -> Option<Option<Name>> {
 fn primary(decl: &ShapeDecl) -> Option<usize> {
     match &decl.parts[..] {
         [_] => Some(0),
-        [a, b] => match (is_named(a), is_named(b)) {
+        [a, b] => match (a.named().is_some(), b.named().is_some()) {
             (true, false) => Some(0),
             (false, true) => Some(1),
             _ => None,
         },
-        [a, b, c] if is_named(b) && !(is_named(a) && is_named(c)) => Some(1),
+        [a, b, c] if b.named().is_some() && !(a.named().is_some() && c.named().is_some()) => Some(1),
         _ => None,
     }
 }
@@ -342,7 +323,9 @@ fn target(scope: &mut Scope<'_>, decl: &ShapeDecl, k: usize, others: &Others) ->
         scope.variable(&name.text).is_none() && !scalar
     };
     // In `0 <= μ[i] <= μ[i + 1] for i in 1..n` the step before has declared the first name, and this one the next.
-    let goes_on = indexed && scope.variable(&name.text).is_some() && decl.parts[k + 1..].iter().any(is_named);
+    let goes_on = indexed
+        && scope.variable(&name.text).is_some()
+        && decl.parts[k + 1..].iter().any(|part| part.named().is_some());
     if primary(decl) == Some(k) && !goes_on {
         if free(scope) {
             return ControlFlow::Break(Some(name));

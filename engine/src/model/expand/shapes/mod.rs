@@ -12,7 +12,7 @@ use std::rc::Rc;
 pub(super) use self::assumed::assume;
 #[cfg(feature = "angles")]
 pub(super) use self::chain::without_indices;
-use self::chain::{Others, declare, own_name, written_name};
+use self::chain::{Others, declare, own_name};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
@@ -43,7 +43,7 @@ pub(super) fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
             if !declare(scope, decl, &statement.doc, &others, &mut shapes) {
                 complete = false;
                 // What follows from that is not another mistake.
-                let names = decl.parts.iter().filter_map(written_name).map(String::from);
+                let names = decl.parts.iter().filter_map(syntax::Expr::named).map(String::from);
                 scope.undeclared.borrow_mut().extend(names);
             }
         }

@@ -4,8 +4,7 @@
 //! degree: this is for functions with a highest or lowest value inside, such as t·exp(−t) ≤ 37/100. They are polynomials in the
 //! tangent itself, which runs between short fractions.
 
-use super::Step;
-use super::sample;
+use super::{Step, sample};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
@@ -27,8 +26,7 @@ pub(super) fn cells(
     if angle.kind == Kind::Linear {
         return None;
     }
-    let own = (&Fraction::var(angle.var) - &angle.low).checked_div(&angle.width)?;
-    let value = whole.value.substitute(angle.var, &own)?;
+    let value = super::by_the_tangent(angle, &whole.value)?;
     let (low, high) = range.finite()?;
     let end = |y: &Rational, up: bool| {
         let x = angle.tangent().substitute(angle.var, &Fraction::constant(y.clone()))?;

@@ -108,7 +108,7 @@ enum Way {
     Combination,
     /// On parts of the domain.
     Parts(u32),
-    /// On so many short cells.
+    /// On this number of short cells.
     Fine(u32),
 }
 
@@ -347,8 +347,7 @@ fn in_the_tangent(family: &Family, angle: &Angle, step: &Step) -> Option<(Step, 
     if step.ranges.iter().any(|(v, _)| *v == angle.var) {
         return None;
     }
-    let own = (&Fraction::var(angle.var) - &angle.low).checked_div(&angle.width)?;
-    let value = step.value.substitute(angle.var, &own).filter(|value| !value.depends_on(*number))?;
+    let value = by_the_tangent(angle, &step.value).filter(|value| !value.depends_on(*number))?;
     let end = |y: i64, up: bool| {
         let x = angle.tangent().substitute(angle.var, &Fraction::constant(Rational::from(y)))?;
         sample::bound(family, &x, up)
@@ -361,8 +360,17 @@ fn in_the_tangent(family: &Family, angle: &Angle, step: &Step) -> Option<(Step, 
     }
     let mut ranges = step.ranges.clone();
     ranges.push((angle.var, Range::closed(low, high)));
-    let local = Angle { low: Fraction::zero(), width: Fraction::constant(Rational::ONE), ..angle.clone() };
-    Some((Step { value, ranges, half: None, ..step.clone() }, local))
+    Some((Step { value, ranges, half: None, ..step.clone() }, by_itself(angle)))
+}
+
+/// A value with the tangent itself in place of the variable that runs between the ends of its range.
+fn by_the_tangent(angle: &Angle, value: &Fraction) -> Option<Fraction> {
+    value.substitute(angle.var, &(&Fraction::var(angle.var) - &angle.low).checked_div(&angle.width)?)
+}
+
+/// The angle whose variable is the tangent itself.
+fn by_itself(angle: &Angle) -> Angle {
+    Angle { low: Fraction::zero(), width: Fraction::constant(Rational::ONE), ..angle.clone() }
 }
 
 /// The statements about some steps in which bounds stand in place of the angles themselves.
@@ -407,9 +415,7 @@ fn bounded(
     }
     if let Anchor::At(_) = step.anchor {
         // Its variable is the tangent itself.
-        let angle = family.interval().and_then(|(var, ..)| family.analytic.angle(var))?;
-        let (low, width) = (Fraction::zero(), Fraction::constant(Rational::ONE));
-        local = Some(Angle { low, width, ..angle.clone() });
+        local = family.interval().and_then(|(var, ..)| family.analytic.angle(var)).map(by_itself);
     }
     if family.analytic.beside(&step.value).next().is_none() {
         return Some(vec![step]);
