@@ -6,6 +6,7 @@
 //! between 1/4 and 1/2, where 1 − t rounds; and uphill from the worst of them. Of a family with angles the numbers that are
 //! computed once from the shape values, such as tan(α/2), are computed in `f32` as well.
 
+use basis_engine::algebra::rational::ToFloat as _;
 use basis_engine::model::Parameter;
 use basis_engine::model::angle::Kind;
 use basis_engine::plan::Input;

@@ -8,6 +8,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use basis_engine::algebra::range::Range;
+use basis_engine::algebra::rational::ToFloat as _;
 use basis_engine::emit::c::{C, Scalar};
 use basis_engine::emit::{self, FamilyCode, Job, Wanted};
 use basis_engine::plan::Input;

@@ -152,6 +152,13 @@ def check_proof(t):
             if factor[1] != '^':
                 check_proof(signed(factor[1])[1])
         check_proof(signed(t[-1])[1])
+    elif kind == 'squares':
+        need(len(t) >= 2, 'squares')
+        for square in t[1:-1]:
+            need(len(items(square)) == 2, 'a number with a polynomial is expected')
+            number(square[0])
+            polynomial(square[1])
+        check_proof(t[-1])
     elif kind == 'faces':
         for part in t[1:]:
             check_proof(part)

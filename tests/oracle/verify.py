@@ -98,6 +98,8 @@ def sign_of_part(p, relation, box, proof):
         corners(p, relation, box, proof)
     elif kind == 'factors':
         factors(p, relation, box, proof)
+    elif kind == 'squares':
+        squares(p, relation, box, proof)
     elif kind == 'faces':
         faces(p, relation, box, proof[1:])
     elif kind == 'cells':
@@ -241,6 +243,15 @@ def factors(p, relation, box, proof):
             negative ^= opposite_is_shown(f, relation, box, known) and exponent % 2 == 1
     negative ^= opposite_is_shown(p, relation, box, proof[-1])
     need(not negative, 'the product of the signs is negative')
+
+
+def squares(p, relation, box, proof):
+    """p is a sum of squares, each times a positive number, and of something that is as claimed."""
+    for c, f in proof[1:-1]:
+        c, f = text.number(c), polynomial(f)
+        need(c > 0, 'a square is multiplied by a number that is not positive')
+        p = add(p, multiply(f, f), -c)
+    part(p, relation, box, proof[-1])
 
 
 def faces(p, relation, box, proofs):

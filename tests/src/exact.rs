@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use basis_engine::algebra::number::binomial;
 use basis_engine::algebra::poly::{Poly, PolyExt};
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::{ClaimKind, Disk, Family, Library, Prover, Subject, decide, generate, source};
 use basis_runtime::Scalar;
 

@@ -2,7 +2,7 @@
 //! any other.
 
 use basis_engine::algebra::fraction::Fraction;
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::model::Factor;
 use basis_runtime::{
     BoxBasis, BoxPatch, DomainFactor, ProductBasis, ProductPatch, Scalar, ShapeError, SimplexBasis,

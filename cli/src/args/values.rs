@@ -1,6 +1,6 @@
 //! Values in arguments: names with numbers, ranges and points, and what is wrong with those that cannot be read.
 
-use basis_engine::algebra::rational::{self, Rational};
+use basis_engine::algebra::rational::{self, Rational, ToFloat as _};
 
 use crate::eval::number::Number;
 

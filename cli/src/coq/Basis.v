@@ -1083,13 +1083,14 @@ Proof.
 Qed.
 
 (** How to show a sign: by the coefficients; on both parts of a box that is cut where a variable is q; of a product
-    from the signs of its factors, both positive or both negative; of a square times another; of a polynomial of degree 1
+    from the signs of its factors, both positive or both negative; of a square times another; of a square times a positive number, and what is added to it; of a polynomial of degree 1
     in a variable from its values at the ends of the range, at an infinite one from the slope. *)
 Inductive cert :=
   | Direct
   | Cut (k : nat) (q : Q) (low high : cert)
   | Product (negative : bool) (f g : pol) (cf cg : cert)
   | Square (f g : pol) (c : cert)
+  | Plus (q : Q) (f : pol) (c : cert)
   | Corner (k : nat) (low high : cert).
 
 Fixpoint set_high (k : nat) (q : Q) (rs : list range) : list range :=
@@ -1127,6 +1128,7 @@ Fixpoint check (c : cert) (rs : list range) (s : bool) (p : pol) : bool :=
   | Product n f g cf cg =>
       (is0 (sub p (mul f g)) && check cf rs s (if n then opp f else f) && check cg rs s (if n then opp g else g))%bool
   | Square f g c => (negb s && is0 (sub p (mul (mul f f) g)) && check c rs false g)%bool
+  | Plus q f c => (qlt 0 q && check c rs s (sub p (times q (mul f f))))%bool
   | Corner k low high =>
       let a := at_var k 0 p in
       let b := sub (at_var k 1 p) a in
@@ -1184,7 +1186,7 @@ Qed.
 
 Lemma check_ok c : forall rs s p env, check c rs s p = true -> inbox rs env -> sign s (ev p env).
 Proof.
-  induction c as [|k q low IHl high IHh | n f g cf IHf cg IHg | f g c IH | k low IHl high IHh];
+  induction c as [|k q low IHl high IHh | n f g cf IHf cg IHg | f g c IH | q f c IH | k low IHl high IHh];
     intros rs s p env H B; simpl in H.
   - apply orb_prop in H as [H | H]; eapply decide_ok; eassumption.
   - apply andb_prop in H as [H1 H2]. destruct (set_ok k q rs env B); eauto.
@@ -1202,6 +1204,10 @@ Proof.
     specialize (IH _ _ _ env H3 B). simpl in *.
     replace (ev p env) with (ev f env * ev f env * ev g env) by lra.
     apply Rmult_le_pos; [apply Rle_0_sqr | assumption].
+  - apply andb_prop in H as [H1 H2]. apply qlt_ok in H1. rewrite Q2R_0 in H1.
+    specialize (IH _ _ _ env H2 B). rewrite sub_ok, times_ok, mul_ok in IH.
+    assert (S : 0 <= Q2R q * (ev f env * ev f env)) by (apply Rmult_le_pos; [lra | apply Rle_0_sqr]).
+    destruct s; simpl in *; lra.
   - destruct (nth_error rs k) as [[lo hi]|] eqn:N; [|discriminate H].
     apply andb_prop in H as [H H5]. apply andb_prop in H as [H H4]. apply andb_prop in H as [H H3].
     apply andb_prop in H as [H1 H2]. destruct (inbox_nth k rs env lo hi N B) as [X Y].

@@ -68,8 +68,7 @@ impl Signs {
             }
         };
         let numerator = polynomial(&above, *relation, numerator, variables)?;
-        let order: Vec<Var> = variables.iter().map(|(v, _)| *v).collect();
-        let over = format!("({}) ({})", polynomial_data(&above, &order), polynomial_data(&below, &order));
+        let over = format!("({}) ({})", data(&above, variables), data(&below, variables));
         Ok(Self { by: format!("{numerator} {denominator}"), over: Some(over) })
     }
 
@@ -80,6 +79,12 @@ impl Signs {
             Some(over) => format!("{comparison}_over {common} {} {over}", self.by),
         }
     }
+}
+
+/// A polynomial in the independent variables.
+fn data(p: &Poly, variables: &[(Var, Range)]) -> String {
+    let order: Vec<Var> = variables.iter().map(|(v, _)| *v).collect();
+    polynomial_data(p, &order)
 }
 
 /// The proof of the sign of a polynomial, with the polynomials that are left of it.
@@ -104,6 +109,15 @@ fn polynomial(
         }
         SignProof::Corners { .. } => Err("a proof by corners and a number between them"),
         SignProof::Factors { factors, rest } => product(p, relation, (factors, rest), variables),
+        SignProof::Squares { squares, rest } => {
+            let (mut left, mut text) = (p.clone(), String::new());
+            for (factor, base) in squares {
+                left = &left - &(base * base).scale(factor);
+                text += &format!("(Plus {} ({}) ", rational(factor), data(base, variables));
+            }
+            text += &polynomial(&left, relation, rest, variables)?;
+            Ok(text + &")".repeat(squares.len()))
+        }
         _ => sign(proof, variables),
     }
 }
@@ -116,10 +130,6 @@ fn product(
     variables: &[(Var, Range)],
 ) -> Result<String, Missing> {
     const DIVIDES: Missing = "a factor of a polynomial at a single number";
-    let data = |p: &Poly| {
-        let order: Vec<Var> = variables.iter().map(|(v, _)| *v).collect();
-        polynomial_data(p, &order)
-    };
     let Some(((base, known), others)) = factors.split_first() else {
         let (Signed::Positive(proof) | Signed::Negative(proof)) = rest;
         return polynomial(p, relation, proof, variables);
@@ -147,12 +157,17 @@ fn product(
     match own {
         Some(own) => {
             for quotient in parts.iter().rev() {
-                text = format!("(Product false ({}) ({}) {own} {text})", data(&factor), data(quotient));
+                text = format!(
+                    "(Product false ({}) ({}) {own} {text})",
+                    data(&factor, variables),
+                    data(quotient, variables)
+                );
             }
         }
         None => {
             for quotient in parts.iter().skip(1).step_by(2).rev() {
-                text = format!("(Square ({}) ({}) {text})", data(&factor), data(quotient));
+                text =
+                    format!("(Square ({}) ({}) {text})", data(&factor, variables), data(quotient, variables));
             }
         }
     }
@@ -193,6 +208,7 @@ pub(super) fn sign(proof: &SignProof, variables: &[(Var, Range)]) -> Result<Stri
         SignProof::Cuts(tree) => cuts(tree, &mut variables.to_vec()),
         SignProof::Corners { .. } => Err("independence by the corners of a range"),
         SignProof::Factors { .. } => Err("independence by factors"),
+        SignProof::Squares { .. } => Err("independence by squares"),
         SignProof::Faces(_) => Err("a proof by faces"),
         SignProof::Cells(_) => Err("a proof by cells"),
         SignProof::Slices(_) => Err("a proof by slices"),

@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use basis_engine::algebra::rational::{self, Rational};
+use basis_engine::algebra::rational::{self, Rational, ToFloat as _};
 use basis_engine::model::angle::{Analytic, Angle, Kind};
 
 /// a + b·π.

@@ -1,7 +1,7 @@
 //! Values as JSON, as CSV, and as tables.
 
 use basis_engine::Family;
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use serde::Serialize;
 use serde_json::{Map, Value};
 

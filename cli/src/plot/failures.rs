@@ -1,7 +1,7 @@
 //! Points at which claims fail.
 
 use basis_engine::algebra::fraction::Fraction;
-use basis_engine::algebra::rational::{self, Rational};
+use basis_engine::algebra::rational::{self, Rational, ToFloat as _};
 use basis_engine::model::Parameter;
 use basis_engine::model::angle::Angle;
 use basis_engine::query::function_of;

@@ -1,7 +1,7 @@
 //! Functions on a triangle or a square as maps: each in a panel of its own, one scale of colours for all.
 
 use basis_engine::Diagnostic;
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use svg::node::element::{Circle, Group, Path, Polygon, Rectangle, Title};
 
 use super::Scene;

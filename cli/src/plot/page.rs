@@ -3,7 +3,7 @@
 use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::range::Range;
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::model::angle::{Angle, Kind};
 use basis_engine::{Diagnostic, Family};
 use serde_json::{Value, json};

@@ -3,7 +3,7 @@
 use basis_engine::Family;
 use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::poly::{Monomial, Poly, Var};
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::model::angle::{Angle, Kind};
 
 /// The families on the spans of the domain; of a domain of one span the family itself.

@@ -401,6 +401,14 @@ family Plane {
     prove (3*u - 1)^2*(1 + k*v) >= 0;
     prove (3*u - 1)^2 + k*(3*v - w)^2 >= 0;
 }
+family Free {
+    domain 0 <= t <= 1;
+    shape p, q, r;
+    b[0] = p*t;
+    b[1] = q - r*t;
+    prove p^2 + q^2 + r^2 >= p*q + q*r + r*p;
+    prove p^2 - 2*p*q + 3*q^2 + 1 > 0;
+}
 ";
 
 #[test]
@@ -409,7 +417,8 @@ fn coq_accepts_factors_corners_and_different_denominators() {
     let folder = Folder::with("others.basis", OTHERS);
     let run = folder.run(&["check", "--coq", "v", "others.basis"]);
     assert_eq!(run.code, 0, "{run:?}");
-    let changes: [(&str, &[(&str, &str)]); 5] = [
+    let changes: [(&str, &[(&str, &str)]); 6] = [
+        ("others_Free.v", &[("(Plus (3 # 4)", "(Plus (2 # 4)"), ("(Plus (1 # 3)", "(Plus (-1 # 3)")]),
         ("others_Degrees.v", &[("  0 <= k <= 1 ->\n", "  0 <= k <= 2 ->\n")]),
         (
             "others_Prism.v",

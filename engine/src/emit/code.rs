@@ -2,7 +2,7 @@
 
 use super::{DECIDED, Language, Wanted};
 use crate::algebra::range::{DisplayRange as _, End, Range};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::generate;
 use crate::model::chart::Constraint;

@@ -1,7 +1,7 @@
 //! Steps as expressions of a language in infix notation: named values, and the results.
 
 use super::Language;
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::plan::Input;
 use crate::steps::{Step, Steps};
 

@@ -7,7 +7,7 @@ use core::cmp::Ordering;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::algebra::real::algebraic::{Algebraic, number};
 use crate::algebra::real::field::Field;
 use crate::algebra::real::roots::isolate;

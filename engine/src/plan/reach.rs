@@ -33,7 +33,7 @@
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::model::angle::{Angle, Kind};
 use crate::model::{Family, Parameter};
 use crate::plan::corners::{Corners, by_distances, tangent_ends};

@@ -41,8 +41,10 @@ pub fn diagnose(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Option<D
     let of_products = theorem.products.iter().any(|(var, _)| claim.kind.depends_on(*var));
     Some(match verdict {
         Verdict::Undecided(_) if of_products => diagnostic.help(match theorem.kind {
-            TheoremKind::Theorem => "without coordinates little is known of products of dot products; say how many there are, such as `dimension 2;`",
-            TheoremKind::Join => "without coordinates little is known of products of dot products: state this in a `theorem` with `dimension 2;`",
+            TheoremKind::Theorem => "state it for fewer points, or for points of the plane: `dimension 2;`",
+            TheoremKind::Join => {
+                "state it for fewer points, or in a `theorem` for points of the plane: `dimension 2;`"
+            }
         }),
         _ => diagnostic,
     })

@@ -3,7 +3,7 @@
 use super::{Function, Step, Steps};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::plan::Input;
 
 /// What steps can be evaluated with.

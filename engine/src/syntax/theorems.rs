@@ -15,6 +15,7 @@ use super::{
     TheoremRelation, TheoremStatement, TheoremStatementKind,
 };
 use crate::advice::did_you_mean;
+use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin a statement.
@@ -66,7 +67,7 @@ pub(super) fn theorem(
         let start = content.fork();
         let declares = declares(&content);
         match statement(&content) {
-            Ok(statement) => statements.push(statement),
+            Ok(read) => statements.extend(read),
             Err(e) => {
                 incomplete = true;
                 let goes_on = is_missing_semicolon(&e);
@@ -91,7 +92,8 @@ fn declares(input: ParseStream<'_>) -> bool {
     !["prove", "refute", "conjecture", "dimension", "budget"].iter().any(|word| at_word(&ahead, word))
 }
 
-fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
+/// A statement; of scalars declared together, one for each.
+fn statement(input: ParseStream<'_>) -> Result<Vec<TheoremStatement>> {
     let doc = doc(input, Doc::Outer)?;
     let start = input.span();
     let Some((word, after)) = input.cursor().ident() else { return Err(unexpected(input, "a statement")) };
@@ -116,11 +118,16 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
         return Err(error(start, format!("`{word}` does not begin a statement of a theorem"), help));
     }
     take_word(input)?;
+    let mut scalars = Vec::new();
     let kind = match word.as_str() {
-        "scalar" => {
-            let bounds = bounds(input, SHAPE_HELP)?;
-            TheoremStatementKind::Scalar(bounds, loops(input)?)
-        }
+        "scalar" => loop {
+            let scalar = TheoremStatementKind::Scalar(bounds(input, SHAPE_HELP)?, loops(input)?);
+            if !input.peek(Token![,]) {
+                break scalar;
+            }
+            input.parse::<Token![,]>()?;
+            scalars.push(scalar);
+        },
         "assume" => TheoremStatementKind::Assume(assumption(input)?),
         "let" => {
             let target = target(input)?;
@@ -173,7 +180,9 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
         return Err(error(input.span(), message, help));
     }
     let end = input.parse::<Token![;]>()?.span;
-    Ok(TheoremStatement { doc, span: join(start, end), last: end, kind })
+    scalars.push(kind);
+    let statement = |kind| TheoremStatement { doc: doc.clone(), span: join(start, end), last: end, kind };
+    Ok(scalars.into_iter().map(statement).listed())
 }
 
 /// A name, or a name with indices, that gets a value.

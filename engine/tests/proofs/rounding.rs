@@ -1,6 +1,6 @@
 //! Rounding errors beside their proved bounds: no error is larger, on any family of the library.
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::model::Factor;
 use basis_engine::plan::Input;
 use basis_engine::rounding::{self, Error};

@@ -1,7 +1,7 @@
 //! Rounding errors of families with angles and exponentials beside their proved bounds, in `f32`, with the same steps in
 //! `f64` as the reference: no error is larger, at the floats next to both ends of the domain and between them.
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::model::angle::Kind;
 use basis_engine::plan::Input;
 use basis_engine::rounding::{self, Error};

@@ -118,12 +118,12 @@ impl Form {
         let (n, stride) = (self.degrees[axis], self.stride(axis));
         let words = Words::of(self.coefficients.iter());
         let bits = match words {
-            Some(words) if words.are_whole() => Rational::from(words.largest() as i64).bits(),
+            Some(words) if words.denom == 1 => Rational::from(words.largest as i64).bits(),
             _ => self.coefficients.iter().map(Rational::bits).max().unwrap_or(0),
         };
         work.spend((self.coefficients.len() * (n + 2)) as u64 * (1 + bits / 64))?;
         if let Some(words) = words
-            && let Some(steps) = fibre::word_steps(steps, n + 1, words.largest())
+            && let Some(steps) = fibre::word_steps(steps, n + 1, words.largest)
         {
             let mut tensor = self.coefficients.mapped(|c| words.word(c));
             each_fibre(&mut tensor, n, stride, &0, &mut |fibre| fibre::apply_words(&steps, fibre));

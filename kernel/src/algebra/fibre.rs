@@ -87,7 +87,7 @@ impl<'a> Change<'a> {
         len: usize,
     ) -> Self {
         let words =
-            Words::of(numbers).and_then(|words| Some((words, word_steps(steps, len, words.largest())?)));
+            Words::of(numbers).and_then(|words| Some((words, word_steps(steps, len, words.largest)?)));
         Self { steps, words, buffer: Vec::with_capacity(len) }
     }
 

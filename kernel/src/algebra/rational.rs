@@ -77,28 +77,6 @@ impl Rational {
         Some(Self::ratio(numer.parse().ok()?, denom))
     }
 
-    /// The nearest float, of two that are as near the one with an even last digit.
-    pub fn to_f64(&self) -> f64 {
-        let (n, d) = self.parts();
-        let size = n.bits() as i64 - d.bits() as i64; // 2^(size − 1) < |n/d| < 2^(size + 1)
-        if size > 1024 {
-            return if n.is_negative() { f64::NEG_INFINITY } else { f64::INFINITY };
-        }
-        // The quotient in units of 2^unit: at least two bits more than a float has, of which the last also stands for all
-        // below it. No float has bits below 2^−1074.
-        let unit = (size - 56).max(-1076);
-        let scaled = |x: BigInt, by: i64| x << by.max(0) as u64;
-        let (quotient, rest) = scaled(n.abs(), -unit).div_rem(&scaled(d, unit));
-        let bits = quotient.to_u64().unwrap_or(0) | u64::from(rest.sign() != Sign::NoSign);
-        let extra = (11 - i64::from(bits.leading_zeros())).max(-1074 - unit).max(2);
-        let (kept, half) = (bits >> extra, 1 << (extra - 1));
-        let round_up = bits & (2 * half - 1) > half - (kept & 1);
-        let exponent = unit + extra;
-        let power = if exponent < -1022 { 1 << (exponent + 1074) } else { ((exponent + 1023) as u64) << 52 };
-        let size = (kept + u64::from(round_up)) as f64 * f64::from_bits(power);
-        if n.is_negative() { -size } else { size }
-    }
-
     /// Numerator and denominator.
     pub(super) fn parts(&self) -> (BigInt, BigInt) {
         match &self.0 {
@@ -445,8 +423,10 @@ impl Div<&Rational> for &Rational {
 /// How numbers become machine words: as numerators over a common denominator.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Words {
-    denom: i64,
-    largest: u64,
+    /// 1 when all numbers are whole.
+    pub(super) denom: i64,
+    /// No numerator has a larger absolute value.
+    pub(super) largest: u64,
 }
 
 impl Words {
@@ -462,16 +442,6 @@ impl Words {
             }
         }
         Some(Self { denom, largest: largest.checked_mul(denom.unsigned_abs())? })
-    }
-
-    /// No numerator has a larger absolute value.
-    pub(super) const fn largest(self) -> u64 {
-        self.largest
-    }
-
-    /// Whether all numbers are whole.
-    pub(super) const fn are_whole(self) -> bool {
-        self.denom == 1
     }
 
     /// The numerator of one of the numbers.
@@ -533,36 +503,6 @@ mod tests {
             for b in &whole {
                 assert_eq!(euclid(a, b), a.gcd(b), "{a} {b}");
             }
-        }
-    }
-
-    #[test]
-    fn the_nearest_float_is_that_of_the_decimal_number() {
-        let halves = ["9007199254740993", "9007199254740995", "18014398509481988.0001"];
-        let ends =
-            ["1.7976931348623157e308", "1.7976931348623158e308", "1.7976931348623159e308", "1e309", "-1e400"];
-        let denormal = [
-            "4.9e-324",
-            "2.5e-324",
-            "2.4e-324",
-            "7.4e-324",
-            "-7.5e-324",
-            "2.2250738585072011e-308",
-            "1e-310",
-        ];
-        for text in ["0", "0.1", "-0.3", "123456789.123456789e-20"]
-            .iter()
-            .chain(&halves)
-            .chain(&ends)
-            .chain(&denormal)
-        {
-            let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
-            let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-            let digits = Rational::parse(&format!("{whole}{fraction}")).expect("a number");
-            let exponent = exponent.parse::<i32>().expect("a number") - fraction.len() as i32;
-            let power = Rational::from(10).pow(exponent.unsigned_abs());
-            let exact = if exponent < 0 { &digits / &power } else { &digits * &power };
-            assert_eq!(exact.to_f64(), text.parse::<f64>().expect("a float"), "{text}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! Signs of polynomials on boxes.
 //!
 //! **Theorems.** p of degree 1 in x lies between its values at the ends of the range of x. A product has the product of
-//! the signs of its factors. A box is the union of its relatively open faces.
+//! the signs of its factors. A square is not negative. A box is the union of its relatively open faces.
 
 use super::claim::{Claim, divided, inside, without_ends};
 use super::{bernstein, levels, slices};
@@ -65,6 +65,7 @@ impl Claim {
                 self.corners(*var, [low, high], middle, work)
             }
             SignProof::Factors { factors, rest } => self.factors(factors, rest, work),
+            SignProof::Squares { squares, rest } => self.squares(squares, rest, work),
             SignProof::Faces(faces) => self.faces(faces, work),
             SignProof::Cells(cells) => levels::cells(self, cells, work),
             SignProof::Slices(slices) => slices::slices(self, slices, Self::check, work),
@@ -125,6 +126,22 @@ impl Claim {
         }
         negative ^= self.signed(&left, rest, work)?;
         shown(!negative, "the product of the signs is negative")
+    }
+
+    /// p = Σ c·f² + r: what is left of p without the squares is as claimed.
+    fn squares(
+        &self,
+        squares: &[(Rational, Poly)],
+        rest: &SignProof,
+        work: &mut Work,
+    ) -> Result<(), Refusal> {
+        let mut left = self.poly.clone();
+        for (factor, base) in squares {
+            shown(factor.is_positive(), "a square is multiplied by a number that is not positive")?;
+            work.spend_product(base, base).ok_or(Refusal::Spent)?;
+            left = &left - &(base * base).scale(factor);
+        }
+        self.part(left, self.relation)?.check(rest, work)
     }
 
     /// Whether f < 0 (≤ 0) is what is proved, and not f > 0 (≥ 0).

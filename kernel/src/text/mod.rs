@@ -13,6 +13,7 @@
 //!              (cut x0 PROOF PROOF)          the lower half, the upper half; inside only . and (cut …)
 //!              (corners x0 PROOF PROOF)      for both ends; (corners x0 PROOF PROOF 1/2 PROOF) with a point between
 //!              (factors (FACTOR ANY) … SIGNED)   ANY: ^ for an even power, else SIGNED; last the sign of what is left
+//!              (squares (FACTOR POLYNOMIAL) … PROOF)     a sum of squares, last of what is left
 //!              (faces PROOF …)
 //!              (cells (x0 …) ((POLYNOMIAL …) …) (SAMPLE …))      SAMPLE: 1/2, or (1/2 SAMPLE …) with those above
 //!              (slices (BASE …) (BOX …))     BOX: (low high …) by variable
@@ -20,8 +21,7 @@
 //! BASE         ((x0 …) ((POLYNOMIAL …) …) (SECTION …) ((1/2 PROOF) …))    SECTION: (= 1/2 PROOF) or (low high)
 //! PIECE        (BLOCK …), or (change (COMBINATION …) (COMBINATION …) BLOCK …) with new rows and columns
 //! BLOCK        ((row …) ((column …) …) SIGNED)
-//! COMBINATION  (index factor …)
-//! EXCEPTION    (POLYNOMIAL …)
+//! COMBINATION  (index factor …)             EXCEPTION: (POLYNOMIAL …)
 //!
 //! witness      (at (x0 VALUE) …)             VALUE: a number; or (c0 c1 …) for c0 + c1 θ + …
 //!              (at (root (m0 m1 …) low high) (x0 VALUE) …)   θ: a root of m0 + m1 θ + … between two numbers

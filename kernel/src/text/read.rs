@@ -147,6 +147,13 @@ fn proof(tree: &Tree<'_>) -> Result<SignProof, Refusal> {
             })?,
             rest: Box::new(signed(rest)?),
         },
+        ("squares", [squares @ .., rest]) => SignProof::Squares {
+            squares: all(squares, |square| match square.list()? {
+                [factor, base] => Ok((number(factor)?, poly(base)?)),
+                _ => Err(Refusal::Unfit("a number with a polynomial is expected")),
+            })?,
+            rest: Box::new(proof(rest)?),
+        },
         ("faces", faces) => SignProof::Faces(all(faces, proof)?),
         ("cells", [order, own, samples]) => SignProof::Cells(Cells {
             order: all(order.list()?, var)?,

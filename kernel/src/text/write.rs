@@ -89,6 +89,10 @@ fn proof(proof: &SignProof) -> String {
             };
             headed("factors", factors.iter().map(factor).chain([signed(rest)]))
         }
+        SignProof::Squares { squares, rest } => {
+            let square = |(factor, base): &(Rational, Poly)| list(&[&factor.to_string(), &poly(base)]);
+            headed("squares", squares.iter().map(square).chain([self::proof(rest)]))
+        }
         SignProof::Faces(faces) => headed("faces", faces.iter().map(self::proof)),
         SignProof::Cells(cells) => {
             let samples = all(cells.samples.iter().map(sample));

@@ -96,7 +96,7 @@ impl Forger<'_> {
 
     fn fresh(&mut self, depth: usize) -> SignProof {
         let boxed = |f: &mut Self| Box::new(f.fresh(depth + 1));
-        match self.random.below(if depth > 3 { 2 } else { 7 }) {
+        match self.random.below(if depth > 3 { 2 } else { 8 }) {
             0 | 1 => SignProof::Cuts(self.cuts(0)),
             2 => SignProof::Corners {
                 var: Var(self.random.below(2)),
@@ -111,7 +111,11 @@ impl Forger<'_> {
                 };
                 SignProof::Factors { factors: vec![(self.poly(), sign)], rest: Box::new(self.signed(depth)) }
             }
-            4 | 5 => SignProof::Faces((0..=self.random.below(9)).map(|_| self.fresh(depth + 1)).collect()),
+            4 => SignProof::Squares {
+                squares: (0..self.random.below(3)).map(|_| (self.random.number(), self.poly())).collect(),
+                rest: boxed(self),
+            },
+            5 | 6 => SignProof::Faces((0..=self.random.below(9)).map(|_| self.fresh(depth + 1)).collect()),
             _ => {
                 let level = |f: &mut Self| (0..f.random.below(4)).map(|_| f.poly()).collect();
                 let levels = vec![level(self), level(self)];
@@ -227,6 +231,16 @@ impl Forger<'_> {
                     }
                 }
                 self.change_signed(rest);
+            }
+            SignProof::Squares { squares, rest } => {
+                self.list(squares);
+                for (factor, base) in squares {
+                    self.number(factor);
+                    if self.rarely() {
+                        *base = self.poly();
+                    }
+                }
+                self.change(rest);
             }
             SignProof::Faces(faces) => {
                 self.list(faces);

@@ -486,6 +486,32 @@ fn a_middle_lies_inside() {
     }
 }
 
+/// Squares have positive factors, and what is left of the polynomial has to be as claimed.
+#[test]
+fn sums_of_squares_are_subtracted() {
+    let refused = |claim: &str, by: &str| offer(&sign(claim, ""), &read(by)).err();
+    let by = "(sign _ (squares (2 1/2*x0-x1) (1 x0) .))";
+    assert_eq!(refused("3/2*x0^2 - 2*x0*x1 + 2*x1^2 >= 0", by), None);
+    assert_eq!(refused("3/2*x0^2 - 2*x0*x1 + 2*x1^2 + 1 > 0", by), None);
+    assert_eq!(
+        refused("3/2*x0^2 - 2*x0*x1 + 2*x1^2 > 0", by),
+        Some(Refusal::Unproved("a number is not as claimed"))
+    );
+    assert_eq!(
+        refused("3/2*x0^2 - 2*x0*x1 + 2*x1^2 - 1 >= 0", by),
+        Some(Refusal::Unproved("a number is not as claimed"))
+    );
+    // Less of one square is what is left, in which no square may be missing.
+    assert!(refused("x0^2 + x1^2 - x0*x1 >= 0", "(sign _ (squares (1 x0) .))").is_some());
+    for factor in ["0", "-1"] {
+        let by = format!("(sign _ (squares ({factor} x0-x1) .))");
+        let message = "a square is multiplied by a number that is not positive";
+        assert_eq!(refused("-x0^2 + 2*x0*x1 - x1^2 >= 0", &by), Some(Refusal::Unproved(message)));
+    }
+    let other = refused("x0^2 >= 0", "(sign _ (squares (1 x2) .))");
+    assert_eq!(other, Some(Refusal::Unfit("a part has other variables than the whole")));
+}
+
 /// What has to be made of the polynomials of lower levels, and what has not.
 #[test]
 fn projections_are_complete() {

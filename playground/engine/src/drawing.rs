@@ -9,7 +9,7 @@ use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::number::binomial;
 use basis_engine::algebra::poly::{Monomial, Poly, Var};
 use basis_engine::algebra::range::Range;
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::model::Parameter;
 use basis_engine::model::angle::{Angle, Kind};
 use serde_json::{Value, json};

@@ -4,7 +4,7 @@ use super::decomposition::{cells, slices};
 use super::outcome::{Outcome, spent};
 use super::problem::{Point, Problem, as_rational, rational, simple};
 use super::subdivision::{self, Attempt};
-use super::{corners, descent, diagonal, factors, univariate, witness};
+use super::{corners, descent, diagonal, factors, squares, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
@@ -100,6 +100,14 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
     if problem.ranges.len() == 1 {
         let found = univariate::decide(problem, relation, &mut budget.work);
         return found.unwrap_or_else(|| spent(problem, "one variable"));
+    }
+    if budget.allows(Method::Squares) {
+        let mut part = budget.take_sixteenths(1);
+        let found = squares::by_squares(problem, relation, &mut part.work);
+        budget.put_back(&part);
+        if let Some(proof) = found {
+            return Outcome::Proved(Method::Squares, proof);
+        }
     }
     if budget.allows(Method::Subdivision) {
         let cuts = first_cuts(problem.ranges.len());

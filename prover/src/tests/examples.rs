@@ -40,6 +40,20 @@ fn quadratic_family_is_nonnegative_exactly_on_its_range() {
     refuted(&b2, "0<=t<=1, -2<=λ<=11/10", "t = 1/12, λ = 11/10: -1/17280");
 }
 
+#[test]
+fn sums_of_squares() {
+    let squares = |text| proved(text, "", "a sum of squares");
+    squares("t^2 + λ^2 + μ^2 - t*λ - λ*μ - μ*t >= 0");
+    squares("(t*μ - λ*w)^2 + (t*w - λ*μ)^2 + (μ*λ - w*t)^2 >= 0");
+    // The matrix is one of many, and singular.
+    squares("t^4 + λ^4 + μ^4 - t*λ*μ*(t + λ + μ) >= 0");
+    squares("t^4 + λ^4 + μ^4 + w^4 - 4*t*λ*μ*w >= 0");
+    squares("t^2 - 2*t*λ + 2*λ^2 - λ*μ + μ^2 + 1/10 > 0");
+    refuted("t^4 + λ^4 + μ^4 + w^4 - 5*t*λ*μ*w >= 0", "", "t = 1, λ = 1, μ = 1, w = 1: -1");
+    // Motzkin's polynomial is no such sum.
+    proved("t^4*λ^2 + t^2*λ^4 + 1 - 3*t^2*λ^2 >= 0", "", "cylindrical decomposition");
+}
+
 /// Zeros on faces, edges and corners of the box, and polynomials that vanish identically on a face.
 #[test]
 fn zeros_on_the_boundary() {

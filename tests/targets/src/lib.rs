@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::rc::Rc;
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::emit::{self, FamilyCode, Job, Language, Wanted};
 use basis_engine::model::Factor;
 use basis_engine::plan::Input;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use basis_engine::Source;
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::emit::Language;
 use basis_engine::emit::c::{C, Scalar};
 use basis_engine::emit::python::Python;

@@ -2,7 +2,7 @@
 
 use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::poly::{Poly, PolyExt, Var};
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::model::Family;
 use basis_runtime::bspline::{KnotVector, NurbsCurve};
 use basis_runtime::{

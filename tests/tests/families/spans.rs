@@ -1,6 +1,6 @@
 //! Families on several spans, and on domains without an end: the generated types and the curves over them.
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_runtime::{CurveError, ParametricCurve, RationalBasis, SpannedBasis, basis};
 use basis_tests::exact::{Reference, fraction};
 use basis_tests::random::Random;

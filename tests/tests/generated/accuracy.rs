@@ -1,6 +1,6 @@
 //! How far `values` are from the exact values, in units in the last place.
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_runtime::Scalar;
 use basis_tests::exact::fraction;
 use basis_tests::families::{Bernstein30, Cubic, QuadraticBezier, QuarticBernstein, SaidBall, Shipped};

@@ -3,7 +3,7 @@
 use basis_engine::algebra::range::DisplayRange as _;
 use std::collections::BTreeSet;
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_runtime::{Array, Curve, Scalar};
 use basis_tests::each_family;
 use basis_tests::exact::{epsilon, fraction};

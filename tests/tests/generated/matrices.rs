@@ -1,5 +1,6 @@
 //! Mass and stiffness matrices, compared with the exact ones that the engine integrates.
 
+use basis_engine::algebra::rational::ToFloat as _;
 use basis_engine::explain::{MatrixKind, matrices};
 use basis_engine::{Disk, Family, Library, Prover, Source, Subject};
 use basis_tests::exact::fraction;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use basis_engine::Verdict;
 use basis_engine::algebra::poly::{Poly, PolyExt};
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::plan::patch::form::PatchForm;
 use basis_engine::{Disk, Subject, source};
 use basis_runtime::Scalar;

@@ -1,6 +1,6 @@
 //! Triangular patches: points, derivatives, boundary curves, normals.
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_runtime::{
     Array, Basis, BoxPatch, Curve, Scalar, SimplexBasis, SimplexPatch, TetrahedronIndex, TriangleEdge,
     TriangleIndex, TriangularBasis, TriangularPatch,

@@ -1,6 +1,6 @@
 //! Values, derivatives and coefficients of generated types against the exact fractions of their specs.
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_runtime::Scalar;
 use basis_tests::each_family;
 use basis_tests::exact::{epsilon, fraction, fractions, largest};

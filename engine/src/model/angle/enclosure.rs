@@ -350,6 +350,7 @@ fn multiplied(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::rational::ToFloat as _;
 
     /// Bounds on both sides, and that they become narrower; the exact value by the float of the standard library.
     #[test]

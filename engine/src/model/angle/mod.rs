@@ -31,7 +31,7 @@ use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::algebra::work::Work;
 use crate::model::roots::{self, Root};
 

@@ -11,7 +11,7 @@ use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::algebra::work::Work;
 use crate::model::angle::enclosure::{self, Anchor, From};
 use crate::model::angle::{Analytic, Angle, Kind};

@@ -11,7 +11,7 @@ use basis_prover::Coordinate;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::model::angle::{Angle, Kind, without_brackets};
 use crate::model::budget::{SPLIT, TooLarge};

@@ -1,5 +1,6 @@
 //! Claims about theorems: identities between linear forms, signs of scalars, directions of vectors.
 
+mod axes;
 mod net;
 mod parallel;
 mod parts;
@@ -21,6 +22,7 @@ use crate::algebra::poly::{PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference};
 use crate::theorem::{Theorem, Unit};
+use axes::Axes;
 use net::{Net, nets, on_net, parts as parts_of};
 use parts::{Part, settled};
 use witness::{explained, witness, witness_nets};
@@ -99,6 +101,10 @@ fn scalar(theorem: &Theorem, comparison: Comparison, difference: &Difference) ->
             }
             return all;
         }
+    }
+    let axes = Axes::of(theorem, value).filter(|_| comparison != Comparison::Equal);
+    if let Some((axes, value)) = axes.and_then(|axes| axes.put(theorem, value).map(|value| (axes, value))) {
+        return vec![Stated::new(text.clone(), compared(&value, comparison, &axes.domain(theorem)))];
     }
     let domain = theorem.domain();
     vec![Stated::new(text.clone(), compared(value, comparison, &domain))]
@@ -344,9 +350,11 @@ fn inequality(
             let found = nets(theorem).take(attempts).find_map(|net| on_net(&net, None));
             found.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {left}")))
         }
-        Failure::Refuted(_) if vague => {
+        Failure::Refuted(found) if vague => {
             // Dot products are not any numbers: the claim must fail for a net.
-            let found = nets(theorem).find_map(|net| on_net(&net, None));
+            let axes = Axes::of(theorem, &difference.value);
+            let own = axes.and_then(|axes| on_net(&axes.net(theorem, &found.point)?, Some(&found.point)));
+            let found = own.or_else(|| nets(theorem).find_map(|net| on_net(&net, None)));
             found.unwrap_or_else(|| {
                 Verdict::Undecided(format!(
                     "`{of}`: it fails for some numbers in place of the dot products, but for no points that were tried"

@@ -110,6 +110,7 @@ fn multiples(var: Var, n: i64) -> [Poly; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::rational::ToFloat as _;
 
     /// Of an end the condition holds for the tangents inside, and fails for those outside up to the widened range.
     #[test]

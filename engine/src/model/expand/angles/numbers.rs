@@ -132,6 +132,7 @@ pub(super) fn rounded(x: &Rational, up: bool) -> Rational {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::rational::ToFloat as _;
 
     #[test]
     fn numbers_lie_between_their_bounds() {

@@ -11,7 +11,7 @@ use super::{Sample, combination, sample};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
 use crate::model::angle::enclosure::{Anchor, From, row_without};

@@ -30,7 +30,7 @@ use std::rc::Rc;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
 use crate::model::angle::enclosure::{Anchor, From, without};

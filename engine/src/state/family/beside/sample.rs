@@ -12,7 +12,7 @@ use super::Half;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::model::angle::enclosure::inverse;

@@ -5,6 +5,8 @@
 //! polynomial in z and ρ, of which multiples of g(ρ) may be taken away. It is ≥ 0 if the rest is for all z from 0 to 1
 //! and all numbers in place of ρ between two that have ρ between them.
 //!
+//! With zeros at both ends it is ρ + (σ − ρ)·z.
+//!
 //! A claim that is sharp at the end has coefficients that vanish there exactly.
 
 use basis_kernel::{Domain, Quotient, Relation, Statement};
@@ -17,6 +19,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::real::roots::{Root, isolate};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use basis_prover::collections::list::Listed;
 
 /// The work for the zeros of a premise, and how often the interval of one is halved.
 const ZEROS: u64 = 1_000_000;
@@ -56,6 +59,33 @@ impl Zero {
     }
 }
 
+/// An end of a range: a rational number, or the zero of a premise.
+struct Place {
+    value: Poly,
+    is_included: bool,
+    zero: Option<Number>,
+}
+
+/// A zero that is written as a variable.
+struct Number {
+    var: Var,
+    between: [Rational; 2],
+    /// The premise in the variable, which is 0.
+    vanishes: Poly,
+}
+
+impl Place {
+    /// An end that the range has of its own.
+    fn of(end: &End) -> Option<Self> {
+        Some(Self { value: Poly::constant(end.value()?.clone()), is_included: end.is_included(), zero: None })
+    }
+
+    /// Numbers below and above the end; `None` of a rational one, beside which every zero lies inside.
+    fn between(&self) -> Option<&[Rational; 2]> {
+        self.zero.as_ref().map(|zero| &zero.between)
+    }
+}
+
 impl Sign<'_> {
     /// The statement with the irrational ends as numbers, where all premises say such ends.
     pub(super) fn at_irrational_ends(&self) -> Option<Vec<Statement>> {
@@ -65,27 +95,58 @@ impl Sign<'_> {
         let ranged = domain.region.ranges.iter().map(|(v, _)| *v);
         let all = ranged.chain(numerator.variables()).chain(denominator.variables());
         let free = all.map(|v| v.0 + 1).max()?;
+        let mut ends: Vec<(Var, [Place; 2])> = Vec::new();
         for (k, (g, relation)) in self.domain.premises.iter().enumerate() {
             let [x] = g.variables()[..] else { return None };
+            let (_, range) = domain.region.ranges.iter().find(|(v, _)| *v == x)?;
+            if ends.iter().all(|(v, _)| *v != x) {
+                ends.push((x, [Place::of(&range.low)?, Place::of(&range.high)?]));
+            }
+            let Zero { between, is_upper } = Zero::of(g, x, range)?;
+            let (_, places) = ends.iter_mut().find(|(v, _)| *v == x)?;
+            let place = &mut places[usize::from(is_upper)];
+            // Of two zeros on the same side the inner one is the end.
+            if let Some([low, high]) = place.between() {
+                let [nearer, farther] = if is_upper {
+                    [&between[1] < low, high < &between[0]]
+                } else {
+                    [high < &between[0], &between[1] < low]
+                };
+                if !nearer && !farther {
+                    return None;
+                }
+                if farther {
+                    continue;
+                }
+            }
+            let var = Var(free + k);
+            let value = Poly::var(var);
+            let vanishes = g.substitute(x, &value);
+            let zero = Some(Number { var, between, vanishes });
+            *place = Place { value, is_included: *relation == Relation::NonNegative, zero };
+        }
+        for (x, [low, high]) in ends {
+            // From the lower end to the upper one, the variable now runs from 0 to 1.
+            let way = &high.value - &low.value;
+            let place = &low.value + &(&Poly::var(x) * &way);
             let (_, range) = domain.region.ranges.iter_mut().find(|(v, _)| *v == x)?;
-            let Zero { between: [low, high], is_upper } = Zero::of(g, x, range)?;
-            let (number, z) = (Var(free + k), Poly::var(x));
-            // From the rational end towards the zero.
-            let end = if is_upper { range.low.clone() } else { range.high.clone() };
-            let from = Poly::constant(end.value()?.clone());
-            let place = &from + &(&z * &(&Poly::var(number) - &from));
-            let zero = g.substitute(x, &Poly::var(number));
-            let put = |p: &Poly| Some(divided(&p.substitute(x, &place), &zero)?.1);
+            let end =
+                |x: Rational, is_included| if is_included { End::Included(x) } else { End::Excluded(x) };
+            let [low_end, high_end] =
+                [end(Rational::ZERO, low.is_included), end(Rational::ONE, high.is_included)];
+            *range = Range { low: low_end, high: high_end };
+            let numbers = [low.zero, high.zero].into_iter().flatten().listed();
+            let put = |p: &Poly| {
+                let p = p.substitute(x, &place);
+                numbers.iter().try_fold(p, |p, number| Some(divided(&p, &number.vanishes)?.1))
+            };
             (above, below) = (put(&above)?, put(&below)?);
             if above.len() > MAX_TERMS || below.len() > MAX_TERMS || below.is_zero() {
                 return None;
             }
-            let included = |x: Rational, yes: bool| if yes { End::Included(x) } else { End::Excluded(x) };
-            *range = Range {
-                low: included(Rational::ZERO, end.is_included()),
-                high: included(Rational::ONE, *relation == Relation::NonNegative),
-            };
-            domain.region.ranges.push((number, Range::closed(low, high)));
+            for Number { var, between: [low, high], .. } in numbers {
+                domain.region.ranges.push((var, Range::closed(low, high)));
+            }
         }
         let value = Quotient { numerator: above, denominator: below };
         Some(vec![Statement::Sign { value, relation: self.relation, domain: Rc::new(domain) }])
