@@ -50,6 +50,19 @@ pub fn charge(units: u64) {
     SPENT.set(SPENT.get().saturating_add(units));
 }
 
+/// Does work that has no budget of its own, such as values at many points, and counts it; `None`, and nothing is done, where the
+/// innermost `within` has nothing left.
+pub fn charged<T>(work: &mut dyn FnMut() -> T) -> Option<T> {
+    if SPENT.get() >= CEILING.get() {
+        CUTS.set(CUTS.get() + 1);
+        return None;
+    }
+    let operations = done();
+    let result = work();
+    charge(done() - operations);
+    Some(result)
+}
+
 /// Counts a decision.
 pub(crate) fn begin() {
     charge(DECISION);

@@ -7,6 +7,7 @@ use basis_kernel::{Point, Quotient, Refusal, Refutation, Root, Statement, Witnes
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::real::algebraic::Algebraic;
 use crate::algebra::real::field::{Element, Field, field_of};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
@@ -35,6 +36,23 @@ impl Counterexample {
         Some(Self { point, exact, ..self.clone() })
     }
 
+    /// The value that is not as claimed, or where it is irrational a number next to it, with its sign; and whether it is the
+    /// value itself.
+    pub fn value(&self) -> (Rational, bool) {
+        if let Some(value) = self.refutation.value() {
+            return (value.clone(), true);
+        }
+        let (Statement::Zero { value, .. } | Statement::Sign { value, .. }) = self.refutation.statement()
+        else {
+            return (Rational::ZERO, true);
+        };
+        match self.evaluate(value) {
+            Some(Coordinate::Rational(x)) => (x, true),
+            Some(Coordinate::Algebraic(x)) => next_to(x).map_or((Rational::ZERO, false), |x| (x, false)),
+            None => (Rational::ZERO, false),
+        }
+    }
+
     /// The value of a quotient at the point; `None` where it has none, or the work is spent.
     pub fn evaluate(&self, value: &Quotient) -> Option<Coordinate> {
         let work = &mut Work::new(EVALUATING);
@@ -52,6 +70,17 @@ impl Counterexample {
         let quotient = field.mul(&above, &inverse, work)?;
         number(Some(&field), &quotient, work)
     }
+}
+
+/// A rational number that differs from an irrational one by less than a millionth of it.
+fn next_to(mut x: Algebraic) -> Option<Rational> {
+    let work = &mut Work::new(EVALUATING);
+    while x.low().signum() * x.high().signum() <= 0 {
+        x.refine_below(&(x.high() - x.low()), work)?;
+    }
+    let size = x.low().abs().min(x.high().abs());
+    x.refine_below(&(&size * &Rational::new(1, 1_000_000)), work)?;
+    Some(x.low().clone())
 }
 
 /// The work for a value at a point.

@@ -20,7 +20,8 @@ mod zero_free;
 
 pub use basis_kernel::{Proof, Refutation};
 pub use budget::{
-    Budget, charge, cut_short_within, done_less_often, measured, spent, within, working, working_with,
+    Budget, charge, charged, cut_short_within, done_less_often, measured, spent, within, working,
+    working_with,
 };
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute};

@@ -1,9 +1,9 @@
 //! Verdicts. What is proved holds the kernel's proofs, what is refuted its refutation: nothing else makes one.
 
 use basis_kernel::{Proof, Refutation, Statement};
-use basis_prover::{Coordinate, Symmetries};
+use basis_prover::{Coordinate, Counterexample, Symmetries};
 
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::claim::Expected;
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -103,9 +103,9 @@ pub struct Witness {
     pub net: Vec<(String, Vec<Rational>)>,
     /// The given control points of a theorem, in order; what is refuted is the claim about these.
     pub given: Vec<Vec<Rational>>,
-    /// The exact value of the expression there.
+    /// The exact value of the expression there; where it is irrational, a number next to it, which `shown` says.
     pub value: Rational,
-    /// The value as text where it contains π, exp(1) or the like, which the number above does not.
+    /// The value as text where it is irrational, or contains π, exp(1) or the like, which the number above does not.
     pub shown: Option<String>,
     /// What it means, in one line each.
     pub notes: Vec<String>,
@@ -113,6 +113,16 @@ pub struct Witness {
     stated: String,
     refutation: Refutation,
     everywhere: Option<Proof>,
+}
+
+/// A number that stands for one next to it.
+pub(super) fn about(x: &Rational) -> String {
+    format!("about {}", decimal(x.to_f64()))
+}
+
+/// A number for reading.
+pub(super) fn decimal(x: f64) -> String {
+    if x.abs() < 1e-3 { format!("{x:.3e}") } else { format!("{x:.6}") }
 }
 
 /// More points than this are not all written if most of them are zero.
@@ -142,6 +152,22 @@ impl Witness {
             refutation,
             everywhere: None,
         }
+    }
+
+    /// The witness that a counterexample is; the value with the other sign where its opposite is stated.
+    pub(super) fn at_point(
+        of: String,
+        at: Vec<(String, Coordinate)>,
+        found: &Counterexample,
+        negated: bool,
+    ) -> Self {
+        let (value, is_exact) = found.value();
+        let value = if negated { -value } else { value };
+        let mut witness = Self::new(of, at, value, found.refutation.clone());
+        if !is_exact {
+            witness.shown = Some(about(&witness.value));
+        }
+        witness
     }
 
     /// The value of the expression for reading.

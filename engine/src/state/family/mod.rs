@@ -102,6 +102,15 @@ enum Saying<'w> {
     By(usize, &'w mut usize),
 }
 
+/// Which parameters are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Where {
+    /// Some in all parts of their ranges.
+    Everywhere,
+    /// Those next to ends that are left out.
+    NextToEnds,
+}
+
 /// What is enough for a comparison.
 #[cfg_attr(not(feature = "angles"), allow(dead_code))] // it is always itself
 enum Enough {
@@ -407,7 +416,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
-            let verdict = refuted_beside(family, claim, false).or_else(|| dependent_apart(family, claim));
+            let verdict = refuted_beside(family, claim, false)
+                .or_else(|| dependent_apart(family, claim))
+                .or_else(|| refuted_next_to_ends(family, claim));
             verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {WIDER}")))
         }
         Err((label, Failure::Refuted(found))) => {
@@ -432,10 +443,14 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
                 // Of an equation simple points come first, which need not be among those that are assumed.
                 let verdict = refuted_under_premises(family, claim, &said.iter().listed());
                 let verdict = verdict.or_else(|| refuted_beside(family, claim, false));
+                let verdict = verdict.or_else(|| refuted_next_to_ends(family, claim));
                 return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
             }
             ClaimKind::Relation { .. } | ClaimKind::Nonnegative if beside.contains(&of) => {
-                format!("`{of}`: {BESIDE}")
+                match refuted_next_to_ends(family, claim) {
+                    Some(verdict) => return verdict,
+                    None => format!("`{of}`: {BESIDE}"),
+                }
             }
             _ => format!("`{of}`: {left}"),
         }),
@@ -488,17 +503,32 @@ fn refuted(witness: Witness, of: &str, label: &str) -> Verdict {
 
 /// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
 fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
+    refuted_plainly(family, claim, only_mixed, Where::Everywhere)
+}
+
+/// The same where parameters are next to an end that is left out.
+fn refuted_next_to_ends(family: &Family, claim: &Claim) -> Option<Verdict> {
+    refuted_plainly(family, claim, false, Where::NextToEnds)
+}
+
+fn refuted_plainly(family: &Family, claim: &Claim, only_mixed: bool, at: Where) -> Option<Verdict> {
     let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
         && !family.analytic.is_empty();
     if !comparisons {
         return None;
     }
-    refuted_among(family, claim, said(family, claim, &mut Saying::Plainly)?, only_mixed)
+    refuted_among(family, claim, said(family, claim, &mut Saying::Plainly)?, only_mixed, at)
 }
 
 /// The same of the comparisons that are given.
-fn refuted_among(family: &Family, claim: &Claim, said: Vec<Said>, only_mixed: bool) -> Option<Verdict> {
-    let (s, whatever) = beside::refuted(family, claim, said, only_mixed)?;
+fn refuted_among(
+    family: &Family,
+    claim: &Claim,
+    said: Vec<Said>,
+    only_mixed: bool,
+    at: Where,
+) -> Option<Verdict> {
+    let (s, whatever) = beside::refuted(family, claim, said, only_mixed, at)?;
     let witness = witness_whatever(family, claim, &s, whatever);
     Some(refuted(witness, &s.of, &s.stated.of))
 }

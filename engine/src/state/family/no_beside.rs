@@ -6,7 +6,7 @@ use std::rc::Rc;
 use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::{Coordinate, Counterexample};
 
-use super::{Enough, Said, Saying};
+use super::{Enough, Said, Saying, Where};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Region;
@@ -37,7 +37,7 @@ pub(super) fn at_point(
 
 pub(super) type Whatever = (Counterexample, Proof);
 
-pub(super) fn refuted(_: &Family, _: &Claim, _: Vec<Said>, _: bool) -> Option<(Said, Whatever)> {
+pub(super) fn refuted(_: &Family, _: &Claim, _: Vec<Said>, _: bool, _: Where) -> Option<(Said, Whatever)> {
     None
 }
 
@@ -74,7 +74,7 @@ pub(super) fn shown(
     _: &Family,
     _: &Family,
     _: &Counterexample,
-    _: &Rational,
+    _: (&Rational, bool),
     _: Option<&Fraction>,
 ) -> Option<String> {
     None

@@ -4,8 +4,8 @@ use basis_prover::collections::list::Listed;
 use basis_prover::within;
 
 use super::{
-    Saying, all, chebyshev, is_wider, proved, refuted_alone, refuted_among, refuted_under_premises, said,
-    total, wronskian,
+    Saying, Where, all, chebyshev, is_wider, proved, refuted_alone, refuted_among, refuted_under_premises,
+    said, total, wronskian,
 };
 use crate::claim::Claim;
 use crate::model::Family;
@@ -61,5 +61,5 @@ fn refuted_by_wronskians(family: &Family, claim: &Claim) -> Option<Verdict> {
     } else {
         plain.into_iter().find_map(|s| refuted_alone(family, claim, s))
     };
-    found.or_else(|| refuted_among(family, claim, all, false))
+    found.or_else(|| refuted_among(family, claim, all, false, Where::Everywhere))
 }

@@ -384,14 +384,13 @@ fn refutation_at(
                 continue;
             };
             let at = named_point(family, &found, &[], piece);
-            let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
             let of = label(family, &functions, &given[0]);
-            let mut witness = Witness::new(of.clone(), at, value, found.refutation.clone()).about(&stated.of);
+            let mut witness = Witness::at_point(of.clone(), at, &found, false).about(&stated.of);
             witness.given = given;
             witness.idle = domain_names(family);
             let here = witness.point();
             let here = if here.is_empty() { here } else { format!(" where {here}") };
-            witness.notes = vec![format!("the {of} is {}{here}", witness.value)];
+            witness.notes = vec![format!("the {of} is {}{here}", witness.value_text())];
             return Some(witness);
         }
     }

@@ -9,13 +9,12 @@ use super::point::{domain_names, named_point};
 use super::{beside, identity, independent, with_numbers, without_numbers};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::rational::Rational;
 use crate::claim::{ClaimKind, Comparison, Difference};
 use crate::model::angle::Angle;
 use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
 use crate::state::inequality::{self, compared_on};
-use crate::state::verdict::Witness;
+use crate::state::verdict::{self, Witness};
 use basis_prover::collections::list::Listed;
 
 /// How the expression of a statement compares with zero, as the claim has it.
@@ -54,17 +53,17 @@ pub(super) fn witness(
     // Of the statements of a chain several may be about one expression.
     let comparison = stated_comparison(family, kind, &of, stated, piece).unwrap_or(Comparison::Equal);
     let negated = inequality::is_negated(comparison);
-    let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
-    let value = if negated { -value } else { value };
-    let mut witness = Witness::new(of.clone(), at, value, found.refutation.clone());
+    let mut witness = Witness::at_point(of.clone(), at, found, negated);
     let there = family.where_fixed(kind.fixed());
     let there = there.as_deref().unwrap_or(family);
     let whole = with_numbers(family, kind, &of);
     let factor = whole.as_ref().map(|(_, factor)| factor);
-    witness.shown = beside::shown(family, there, found, &witness.value, factor);
+    let shown = beside::shown(family, there, found, (&witness.value, negated), factor);
     if let Some((text, factor)) = whole {
         (witness.of, witness.value) = (text, beside::about_number(family, &factor, &witness.value));
+        witness.shown = witness.shown.map(|_| verdict::about(&witness.value));
     }
+    witness.shown = shown.or(witness.shown);
     if matches!(kind, ClaimKind::Smooth(_)) {
         witness.idle = domain_names(family);
     }

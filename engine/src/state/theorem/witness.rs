@@ -54,9 +54,7 @@ pub(super) fn witness(
             None => {}
         }
     }
-    let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
-    let value = if negate { -value } else { value };
-    let mut witness = Witness::new(of, named, value, found.refutation.clone());
+    let mut witness = Witness::at_point(of, named, found, negate);
     witness.notes = notes;
     witness.given = net.map_or_else(Vec::new, |net| net.places().to_vec());
     let own = Net::from_coordinates(theorem, &at);
@@ -69,7 +67,7 @@ pub(super) fn explained(theorem: &Theorem, claim: &Claim, mut witness: Witness, 
     witness.idle = idle(theorem, &claim.kind);
     let at = witness.point();
     let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
-    witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
+    witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value_text()));
     let equation = matches!(
         claim.kind,
         ClaimKind::Vector { .. } | ClaimKind::Scalar { comparison: Comparison::Equal, .. }

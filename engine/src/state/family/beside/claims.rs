@@ -19,7 +19,7 @@ use crate::model::angle::tangents::has_ends;
 use crate::model::angle::{Angle, Kind};
 use crate::model::chart::Piece;
 use crate::state::family::{
-    Enough, Said, Saying, is_wider, premises, proved, said, statements, without_numbers,
+    Enough, Said, Saying, Where, is_wider, premises, proved, said, statements, without_numbers,
 };
 use crate::state::inequality::compared_on;
 use crate::state::proofs::all;
@@ -167,6 +167,7 @@ pub(in crate::state::family) fn refuted(
     claim: &Claim,
     all: Vec<Said>,
     only_mixed: bool,
+    at: Where,
 ) -> Option<(Said, Whatever)> {
     let there = family.where_fixed(claim.kind.fixed())?;
     let mut open = Vec::new();
@@ -188,7 +189,7 @@ pub(in crate::state::family) fn refuted(
             let (s, value) = &open[k];
             let found = within(*units, &mut || {
                 basis_prover::working(family.budget, &mut |work| {
-                    super::refute(&there, value, &s.stated.statement, work)
+                    super::refute(&there, value, &s.stated.statement, at, work)
                 })
             });
             if let Some(found) = found {
@@ -294,7 +295,7 @@ pub(in crate::state::family) fn shown(
     family: &Family,
     there: &Family,
     found: &Counterexample,
-    value: &Rational,
+    value: (&Rational, bool),
     factor: Option<&Fraction>,
 ) -> Option<String> {
     of_equation(there, found).or_else(|| super::of_sign(family, found, value, factor))
@@ -343,8 +344,10 @@ fn of_equation(family: &Family, found: &Counterexample) -> Option<String> {
     };
     // A parameter beside its sine, which is a number here, says nothing about the size.
     let open = family.analytic.angles.iter().any(|a| a.itself != a.var && value.depends_on(a.itself));
-    let about =
-        (open || text.len() > LONGEST).then(number).flatten().map(|x| format!("about {}", super::decimal(x)));
+    let about = (open || text.len() > LONGEST)
+        .then(number)
+        .flatten()
+        .map(|x| format!("about {}", crate::state::verdict::decimal(x)));
     Some(match about {
         Some(about) if text.len() > LONGEST => about,
         Some(about) => format!("{text} ({about})"),

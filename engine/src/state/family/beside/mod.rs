@@ -27,10 +27,11 @@ use basis_prover::collections::list::Listed;
 use basis_prover::{Coordinate, Counterexample};
 use std::rc::Rc;
 
+use super::Where;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
-use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
 use crate::model::angle::enclosure::{Anchor, From, without};
@@ -492,10 +493,11 @@ fn refute(
     family: &Family,
     value: &Fraction,
     statement: &Statement,
+    at: Where,
     work: &mut Work,
 ) -> Option<(Counterexample, Proof)> {
     let Statement::Sign { domain, .. } = statement else { return None };
-    let sample = Sample::new(family, work)?.under(&domain.premises);
+    let sample = Sample::at(at, family, work)?.under(&domain.premises);
     let points = sample.lowest(value, work)?;
     points.into_iter().take(24).find_map(|point| sample::refuted_at(family, statement, &point, work))
 }
@@ -526,7 +528,7 @@ pub(super) fn about_number(family: &Family, factor: &Fraction, value: &Rational)
 fn of_sign(
     family: &Family,
     found: &Counterexample,
-    value: &Rational,
+    (value, negated): (&Rational, bool),
     factor: Option<&Fraction>,
 ) -> Option<String> {
     const LONGEST: usize = 24;
@@ -542,8 +544,6 @@ fn of_sign(
         })
     };
     let exact = Fraction::new(put(&exact.numerator), put(&exact.denominator))?;
-    let Statement::Sign { value: narrow, .. } = found.refutation.statement() else { return None };
-    let negated = found.evaluate(narrow).is_some_and(|c| c != Coordinate::Rational(value.clone()));
     let exact = if negated { -&exact } else { exact };
     let (exact, value) = match factor {
         Some(factor) => (&exact * factor, about_number(family, factor, value)),
@@ -552,10 +552,6 @@ fn of_sign(
     let text = claims::numbers_written(family, &exact.display(&family.names));
     let own = family.analytic.angles.iter().any(|a| a.itself != a.var && exact.depends_on(a.itself));
     (own || numbers.iter().any(|n| exact.depends_on(*n))).then(|| {
-        if own || text.len() > LONGEST { format!("about {}", decimal(value.to_f64())) } else { text.clone() }
+        if own || text.len() > LONGEST { crate::state::verdict::about(&value) } else { text.clone() }
     })
-}
-
-fn decimal(x: f64) -> String {
-    if x.abs() < 1e-3 { format!("{x:.3e}") } else { format!("{x:.6}") }
 }

@@ -8,9 +8,9 @@ use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, Counterexample, Symmetries, candidates, decide, refute, typical};
 use std::rc::Rc;
 
-use super::Half;
+use super::{Half, Where};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::algebra::work::Work;
@@ -29,9 +29,18 @@ const MAX_SHAPES: usize = 16;
 const PLACES: i64 = 16;
 const SHAPES: i64 = 8;
 
+/// The parts of a range that lie between an end that is left out and the parameters next to it.
+const NEXT_TO_ENDS: [i64; 2] = [1 << 12, 1 << 20];
+
 /// Units of work for the numbers between which an angle lies, and for a product of two pairs of such numbers.
 const ENCLOSURE: u64 = 1000;
 const PRODUCT: u64 = 20;
+
+/// The common denominator of the numbers that stand for π, exp(r) and the like.
+const NEAR: i64 = 1 << 40;
+
+/// Units of work for a factor of a term that is a rational coordinate.
+const PLACED: u64 = 3;
 
 /// Work above which the signs of a function are looked at in fewer places.
 const LOOKING: u64 = 150_000;
@@ -220,10 +229,18 @@ fn between(f: &Fraction, point: &Values, wide: &[(Var, Interval)]) -> Option<Int
     Some(product(&above, &(below.1.recip()?, below.0.recip()?)))
 }
 
-/// The work of finding numbers between which a quotient lies at a point.
-fn cost(f: &Fraction) -> u64 {
-    let of = |p: &Poly| p.terms().map(|(m, _)| 1 + u64::from(m.total_degree())).sum::<u64>();
-    PRODUCT * (of(f.numer()) + of(f.denom()))
+/// The work of finding numbers between which a quotient lies at a point: rational coordinates are put in, pairs of numbers are
+/// multiplied for the others.
+fn cost(family: &Family, f: &Fraction) -> u64 {
+    let numbers = family.analytic.numbers();
+    let angles = family.analytic.angles.iter().filter(|a| a.itself != a.var).map(|a| a.itself);
+    let wide = angles.chain(numbers).listed();
+    let of_term = |m: &Monomial| {
+        let pairs = wide.iter().map(|v| u64::from(m.exponent(*v))).sum::<u64>();
+        PLACED * u64::from(m.total_degree()) + PRODUCT * (1 + pairs)
+    };
+    let of = |p: &Poly| p.terms().map(|(m, _)| of_term(m)).sum::<u64>();
+    of(f.numer()) + of(f.denom())
 }
 
 /// About which values the variables have at a point that is named by a tangent between those at the ends of a range: their
@@ -261,7 +278,7 @@ pub(super) fn about_at(
     typical: &Values,
     work: &mut Work,
 ) -> Option<Interval> {
-    work.spend(ENCLOSURE + cost(f))?;
+    work.spend(ENCLOSURE + cost(family, f))?;
     let is_shape = |var: Var| family.shapes.iter().any(|p| p.var == var);
     let shapes = typical.iter().filter(|(var, _)| is_shape(*var)).cloned().listed();
     let mut found = enclosures(family, &shapes)?;
@@ -291,6 +308,11 @@ pub(in crate::state::family) struct Sample<'f> {
 impl<'f> Sample<'f> {
     /// Points for functions of a family, without a domain variable that is fixed.
     pub(in crate::state::family) fn new(family: &'f Family, work: &mut Work) -> Option<Self> {
+        Self::at(Where::Everywhere, family, work)
+    }
+
+    /// The same for some parameters.
+    pub(super) fn at(at: Where, family: &'f Family, work: &mut Work) -> Option<Self> {
         let (var, low, high) = family.interval()?;
         let own = |range: &Range| {
             let mut all: Vec<Rational> = match range.finite() {
@@ -303,6 +325,14 @@ impl<'f> Sample<'f> {
             // The middle first.
             let middle = all.len() / 2;
             all.rotate_left(middle);
+            if let (Where::NextToEnds, Some((a, b))) = (at, range.finite()) {
+                all.truncate(1);
+                for share in NEXT_TO_ENDS {
+                    let step = &(b - a) * &Rational::new(1, share);
+                    all.extend((!range.low.is_included()).then(|| a + &step));
+                    all.extend((!range.high.is_included()).then(|| b - &step));
+                }
+            }
             // Where exponentials have no largest value, far out as well: tanh(a/2) = 63/64 at a = 4.84, and a = 13.9.
             let far = family.analytic.angles.iter().any(|angle| {
                 let fits = angle.kind == Kind::Hyperbolic && range.high == End::Excluded(Rational::ONE);
@@ -362,7 +392,7 @@ impl<'f> Sample<'f> {
     /// Counts the work of looking at a function at all points.
     fn look_at(&self, f: &Fraction, work: &mut Work) -> Option<()> {
         let points: usize = self.rows.iter().map(Vec::len).sum();
-        work.spend(points as u64 * cost(f))
+        work.spend(points as u64 * cost(self.family, f))
     }
 
     /// The points on one side of the angle 0; `None` if there are none.
@@ -381,7 +411,7 @@ impl<'f> Sample<'f> {
     /// The signs of a function by shape values along the domain; what is not seen, or not defined, is left out. Long functions
     /// are looked at in fewer places.
     pub(super) fn signs(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Vec<i32>>> {
-        let (points, each) = (self.rows.iter().map(Vec::len).sum::<usize>() as u64, cost(f));
+        let (points, each) = (self.rows.iter().map(Vec::len).sum::<usize>() as u64, cost(self.family, f));
         let stride = [1, 2, 4].into_iter().find(|n| points / n * each <= LOOKING).unwrap_or(4);
         work.spend(points / stride * each)?;
         let sign = |(point, found): &(Values, Enclosures)| {
@@ -409,7 +439,7 @@ impl<'f> Sample<'f> {
         work: &mut Work,
     ) -> Option<Vec<Vec<i32>>> {
         let sums = u64::from(degree + 1).pow(2) * PRODUCT;
-        work.spend(self.rows.len() as u64 * (cost(&Fraction::from(p.clone())) + sums))?;
+        work.spend(self.rows.len() as u64 * (cost(self.family, &Fraction::from(p.clone())) + sums))?;
         // p(low + width·x) = Σ cᵢ·xⁱ = Σ bᵢ·B(n, i), bᵢ = Σ binomial(i, k)/binomial(n, k)·cₖ.
         let moved = &Poly::constant(low.clone()) + &Poly::var(var).scale(&(high - low));
         let power = p.substitute(var, &moved).coefficients_in(var);
@@ -441,8 +471,18 @@ impl<'f> Sample<'f> {
     /// The points at which a function may be smallest: by shape values the one with the smallest value if that may be below
     /// 0, then points nearer and nearer to one with a smaller value.
     pub(super) fn lowest(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Values>> {
-        self.look_at(f, work)?;
-        let nearer = ENCLOSURE * self.family.analytic.angles.len() as u64 + cost(f);
+        work.spend(cost(self.family, f))?;
+        let near = with_numbers_near(self.family, f);
+        let f = near.as_ref().unwrap_or(f);
+        // Long functions are looked at in fewer places.
+        let (points, each) = (self.rows.iter().map(Vec::len).sum::<usize>() as u64, cost(self.family, f));
+        let affordable = |n: &u64| points / n * each <= work.left() / 4;
+        let stride = [1, 2, 4, 8, 16].into_iter().find(affordable)?;
+        if stride > 1 {
+            basis_prover::done_less_often();
+        }
+        work.spend(points / stride * each)?;
+        let nearer = ENCLOSURE * self.family.analytic.angles.len() as u64 + each;
         // Along the domain variable, and along the parameters between numbers.
         let region = self.family.region();
         let along = |(k, (var, _)): (usize, &(Var, Rational))| {
@@ -469,7 +509,7 @@ impl<'f> Sample<'f> {
         let mut all: Vec<(Rational, Values)> = Vec::new();
         for row in &self.rows {
             let mut best: Option<(Rational, Values, bool)> = None;
-            for (point, found) in row {
+            for (point, found) in row.iter().step_by(stride as usize) {
                 let Some((x, is_above)) = value(point, found) else { continue };
                 if best.as_ref().is_none_or(|(least, ..)| x < *least) {
                     best = Some((x, point.clone(), is_above));
@@ -510,6 +550,17 @@ impl<'f> Sample<'f> {
         let region = self.family.region();
         region.ranges.iter().map(|(var, range)| (*var, middle(range))).listed()
     }
+}
+
+/// A function with rational numbers next to π, exp(r) and the like in place of these: about where it is small.
+fn with_numbers_near(family: &Family, f: &Fraction) -> Option<Fraction> {
+    let numbers = family.analytic.numbers();
+    let ranges = family.analytic.ranges.iter().filter(|(var, _)| numbers.contains(var) && f.depends_on(*var));
+    ranges.fold(Some(f.clone()), |f, (var, range)| {
+        let scaled = &middle(range) * &Rational::from(NEAR);
+        let near = &scaled.floor() / &Rational::from(NEAR);
+        put(&f?, *var, &Fraction::constant(near))
+    })
 }
 
 /// Whether polynomials have their signs at a point; those with a variable that has no value there do not.

@@ -51,13 +51,14 @@ pub(super) fn directions(variables: usize) -> Vec<Vec<i64>> {
     all
 }
 
-/// The values of a quotient at points; nothing where it has none. `None` for a quotient that is too long.
+/// The values of a quotient at points; nothing where it has none. `None` for a quotient that is too long, and where no work is
+/// left.
 pub(super) fn values(numer: &Poly, denom: &Poly, points: &[Vec<Rational>]) -> Option<Vec<Option<Rational>>> {
     if numer.len() + denom.len() > MAX_TERMS {
         return None;
     }
     basis_prover::charge(8 * points.len() as u64);
-    let (above, below) = (on_grid(numer, points), on_grid(denom, points));
+    let (above, below) = basis_prover::charged(&mut || (on_grid(numer, points), on_grid(denom, points)))?;
     Some(above.into_iter().zip(&below).map(|(above, below)| above.checked_div(below)).listed())
 }
 
