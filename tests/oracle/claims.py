@@ -146,7 +146,13 @@ def claims(r, own):
             # About the parameters alone.
             k, m = Name('k'), Name('m')
             g = r.choice([k, m, m - k, k * m, k * k + m * m, m * m - k, *[x for _, x in own.conditions]])
-            result.append(relation_claim(r, own, g, r.choice(['>=', '>', '=']), formula(number(r))))
+            bound = formula(number(r))
+            if r.random() < 0.6:
+                # Next to a value near the least or the greatest one.
+                found = sorted(g.eval(own.sample(r)) for _ in range(30))
+                bound = formula(r.choice([found[0], found[-1], found[15]]) + r.choice([-1, 1]) * Fraction(1, r.choice([20, 1000])))
+            g, bound = (g, bound) if r.random() < 0.5 else (formula(0) - g, formula(0) - bound)
+            result.append(relation_claim(r, own, g, r.choice(['>=', '>', '=']), bound))
         elif kind == 'integral' and own.kind in ('related', 'spans', 'knots', 'poly', 'box', 'indexed'):
             extra = r.choice([0, 0, Fraction(1, 1000)])
             text = (own.integral(f) + extra).text()

@@ -56,7 +56,7 @@ class Related(Family):
 def related(r, own):
     k, m = Name('k'), Name('m')
     low, size = number(r), Fraction(r.randint(1, 4), r.choice([1, 2]))
-    kind = r.choice(['chain', 'ends', 'chain', 'linear', 'disk', 'product'])
+    kind = r.choice(['chain', 'ends', 'chain', 'linear', 'disk', 'product', 'several', 'several'])
     own.shapes = {n: Range(low, low + size) for n in 'km'}
     if kind in ('chain', 'ends'):
         strict = [r.random() < 0.4 for _ in range(3)]
@@ -66,6 +66,9 @@ def related(r, own):
         own.shapes['k'] = Range(low, low + size, not strict[0], not strict[1] and not strict[2])
         own.shapes['m'] = Range(low, low + size, not strict[0] and not strict[1], not strict[2])
         own.conditions = [('>' if strict[1] else '>=', m - k)]
+    elif kind == 'several':
+        own.declared = [f'shape {own.shapes[n].text(n)}' for n in 'km']
+        several(r, own, low, size)
     else:
         own.declared = [f'shape {own.shapes[n].text(n)}' for n in 'km']
         middle = low + size / 2
@@ -89,11 +92,29 @@ def related(r, own):
         own.domain = {'t': Range(Fraction(0), Fraction(1))}
         parts = [Name('t'), formula(1) - Name('t'), k, m, m - k, formula(1)]
         parts += [x for _, x in own.conditions]
+        parts += [Name(n) - (low + size * Fraction(r.randint(1, 15), 16)) for n in 'km'] * (kind == 'several')
     for i in range(2):
         f = r.choice(parts) * r.choice(parts) * r.choice(parts)
         own.functions[(i,)] = f + (polynomial(r, ['t', 'k', 'm'], 1, 1) if r.random() < 0.5 else 0)
     if r.random() < 0.3:
         own.functions[(2,)] = formula(1) - Member(own, (0,)) - Member(own, (1,))
+
+
+def several(r, own, low, size):
+    """Two or three conditions on single parameters, which mostly end at irrational numbers."""
+    while True:
+        own.conditions = []
+        for _ in range(r.randint(2, 3)):
+            x, at = Name(r.choice('kkkm')), low + size * Fraction(r.randint(0, 8), 8)
+            a, b, c = (Fraction(r.randint(-4, 4), r.choice([1, 2, 3])) for _ in 'abc')
+            f = lambda x: x * x * x * c + x * x * a + x * b
+            margin = abs(a) * size * size * Fraction(r.randint(0, 6), 8)
+            own.conditions.append((r.choice(['>=', '>=', '>']), f(x) - f(at) + margin))
+        places = [low + size * Fraction(i, 16) for i in range(17)]
+        inside = sum(own.fits({'k': k, 'm': m}) for k in places for m in places)
+        if inside > 20:
+            break
+    own.declared += [f'assume {x.text()} {relation} 0' for relation, x in own.conditions]
 
 
 def positive(r, own):
