@@ -28,6 +28,7 @@ use crate::algebra::real::simplest::simplest_between;
 use crate::algebra::work::Work;
 use crate::claim::{self, Claim, ClaimKind, Expected};
 use crate::generate::{factored, factored_on_box};
+use crate::model::chart::Constraint;
 use crate::model::{Family, Function, Parameter};
 use crate::plan::interval::form::IntervalForm;
 use crate::plan::patch::form::{PatchForm, factored_text};
@@ -369,6 +370,7 @@ fn exceptions(family: &Family) -> ExceptionalSet {
     let state::Table { rows, symmetries } = state::table(family);
     let table = basis_prover::rank::Table { rows: &rows, symmetries: &symmetries };
     let mut set = basis_prover::rank::exceptional_set(table, &family.shape_region(), family.budget);
+    set.exceptions.retain(|e| !is_ruled_out(family, &e.values));
     let dependent = family.analytic.dependent();
     if rows.iter().flatten().any(|p| dependent.iter().any(|v| p.depends_on(*v))) {
         // Where an angle and its tangent have values that do not belong together nothing is said.
@@ -397,13 +399,30 @@ fn exceptions(family: &Family) -> ExceptionalSet {
         }
         except.push(values);
     }
-    if rational && set.open.is_none() {
+    if rational && !family.constraints.is_empty() {
+        // On the whole box the functions may be dependent where what is assumed is false.
+        let all = verdict(family, ClaimKind::Independent(except));
+        set.open = (!matches!(all, Verdict::Proved(_)))
+            .then(|| String::from("it is not proved that there are no others"));
+    } else if rational && set.open.is_none() {
         let statement = Statement::Independent { rows, except, region: family.shape_region() };
         if decide(statement, &symmetries, family.budget).is_err() {
             set.open = Some(String::from("it is not proved that there are no others"));
         }
     }
     set
+}
+
+/// Whether what is assumed is false where shape parameters have these values, whatever the others are.
+fn is_ruled_out(family: &Family, values: &[(Var, Coordinate)]) -> bool {
+    let put = |p: &Poly| {
+        values.iter().fold(p.clone(), |p, (var, c)| match c {
+            Coordinate::Rational(x) => p.at(*var, x),
+            Coordinate::Algebraic(_) => p,
+        })
+    };
+    let fails = |c: &Constraint| put(&c.value).as_constant().is_some_and(|x| !c.relation.holds(&x));
+    family.constraints.iter().any(fails)
 }
 
 /// What an element of the exceptional set says, such as `λ = -3: b[1] - b[2] = 0`.

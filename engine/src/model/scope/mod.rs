@@ -179,6 +179,8 @@ pub(crate) struct Scope<'a> {
     pub(crate) missing_is_zero: bool,
     /// The names in statements that could not be read, sorted.
     pub(crate) unread: Vec<String>,
+    /// Names of shape parameters with an index of which there is none in this order.
+    pub(crate) empty_lists: Vec<String>,
     /// The unknown names that are reported already.
     pub(crate) undeclared: RefCell<Vec<String>>,
     /// Whether an error has ended a loop over functions early.
@@ -243,7 +245,8 @@ impl Scope<'_> {
     pub(crate) fn is_list_of_shapes(&self, name: &str) -> bool {
         // Asked of every name with an index.
         let mut names = self.names.iter().chain(self.determined.iter().map(|(n, _)| n));
-        self.subject == Subject::Family && names.any(|known| index_in(known, name).is_some())
+        let is_known = self.subject == Subject::Family && names.any(|known| index_in(known, name).is_some());
+        is_known || self.empty_lists.iter().any(|n| n == name)
     }
 
     /// The shape parameters with an index that have a name, with their indices; also those that `assume` determines.
@@ -445,6 +448,7 @@ impl Scope<'_> {
             base: Vec::new(),
             missing_is_zero: false,
             unread: Vec::new(),
+            empty_lists: Vec::new(),
             undeclared: RefCell::default(),
             cut_short: false,
             counts: false,

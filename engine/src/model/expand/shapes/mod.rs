@@ -21,7 +21,7 @@ use crate::model::budget::SPLIT;
 use crate::model::chart::{self, Constraint, MAX_CONDITIONS, Piece};
 use crate::model::obligation::Goal;
 use crate::model::scope::Scope;
-use crate::syntax::{self, StatementKind};
+use crate::syntax::{self, ExprKind, StatementKind};
 
 /// The shape parameters of a family, and what is assumed of them.
 pub(super) struct Shapes {
@@ -45,6 +45,15 @@ pub(super) fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
                 // What follows from that is not another mistake.
                 let names = decl.parts.iter().filter_map(syntax::Expr::named).map(String::from);
                 scope.undeclared.borrow_mut().extend(names);
+            }
+            let with_index = decl.parts.iter().filter_map(|part| match &part.kind {
+                ExprKind::Index(base, _) => base.named(),
+                _ => None,
+            });
+            for name in with_index {
+                if complete && !scope.is_list_of_shapes(name) && scope.variable(name).is_none() {
+                    scope.empty_lists.push(String::from(name));
+                }
             }
         }
     }
