@@ -64,7 +64,9 @@ pub(crate) fn parameters(pieces: &[CurvePiece], lengths: &[f64], accuracy: f64) 
 
 /// A part of a piece whose length is known.
 struct Leaf {
+    /// Measured in `unit`.
     part: CurvePiece,
+    unit: f64,
     length: f64,
     /// `None` of a part that counts as straight.
     speed: Option<(Speed, &'static Rule)>,
@@ -74,7 +76,7 @@ impl Leaf {
     /// The place up to which the part has that length.
     #[inline]
     fn invert(&self, length: f64) -> f64 {
-        let Some((speed, rule)) = &self.speed else { return (length / self.length).min(1.0) };
+        let Some((speed, rule)) = &self.speed else { return halve(self.part.clone(), length / self.unit) };
         let (mut low, mut high) = (0.0, 1.0);
         let mut x = length / self.length;
         // Newton's method, kept between places on both sides. Over a part the rule is no worse: the ellipse of the part
@@ -97,6 +99,30 @@ impl Leaf {
         }
         x
     }
+}
+
+/// The place up to which a straight part has that length. The speed need not be constant, and may vanish; but where chord
+/// and control polygon agree, they do so on every half, because halving shortens the polygons and lengthens the chords.
+#[inline]
+fn halve(mut part: CurvePiece, mut length: f64) -> f64 {
+    let (mut place, mut width) = (0.0, 1.0);
+    for _ in 0..DEPTH {
+        if length <= 0.0 {
+            break;
+        }
+        width *= 0.5;
+        let [before, after] = part.split(0.5);
+        let [shortest, longest] = before.length_bounds();
+        let here = 0.5 * (shortest + longest);
+        part = if length >= here {
+            length -= here;
+            place += width;
+            after
+        } else {
+            before
+        };
+    }
+    place
 }
 
 /// The derivatives and what they divide by.
@@ -180,7 +206,7 @@ fn walk(pieces: &[CurvePiece], accuracy: f64, visit: &mut dyn FnMut(&Leaf) -> bo
             let mut leaf = match table.rule(&part, &speed, accuracy) {
                 Some(rule) => {
                     let length = 0.5 * rule.integrate(|z: f64| speed.at(0.5 * (z + 1.0)));
-                    Leaf { part, length, speed: Some((speed, rule)) }
+                    Leaf { part, unit: polygon, length, speed: Some((speed, rule)) }
                 }
                 None => {
                     let [shortest, longest] = part.length_bounds();
@@ -190,7 +216,7 @@ fn walk(pieces: &[CurvePiece], accuracy: f64, visit: &mut dyn FnMut(&Leaf) -> bo
                         open.push((before, 0.5 * accuracy, depth + 1));
                         continue;
                     }
-                    Leaf { part, length: 0.5 * (shortest + longest), speed: None }
+                    Leaf { part, unit: polygon, length: 0.5 * (shortest + longest), speed: None }
                 }
             };
             leaf.length *= polygon;
