@@ -407,3 +407,37 @@ fn lengths_along_straight_pieces() {
         }
     }
 }
+
+/// A Bézier curve whose control points lie on a helix.
+fn helix(degree: usize) -> BSplineCurve<P3> {
+    let angle = |i: usize| 6.0 * i as f64 / degree as f64;
+    let point = |a: f64| [a.cos(), a.sin(), a / 10.0];
+    BSplineCurve::from_bezier((0..=degree).map(angle).map(point).collect::<Vec<_>>()).unwrap()
+}
+
+/// The length of the polygon with so many corners has an error that falls like `1/n²`; two of them tell the limit.
+fn extrapolated(curve: &impl ParametricCurve<Point = P3>) -> f64 {
+    let polygon = |n: usize| {
+        let corners: Vec<P3> = curve.samples(n + 1).collect();
+        corners.windows(2).map(|pair| distance(pair[0], pair[1])).sum::<f64>()
+    };
+    (4.0 * polygon(2000) - polygon(1000)) / 3.0
+}
+
+/// Rounding errors of Chebyshev coefficients of high order are no reason to halve again and again.
+#[test]
+fn lengths_of_high_degree() {
+    for degree in [10, 24, 43, 44, 48, 60] {
+        let curve = helix(degree);
+        let start = std::time::Instant::now();
+        let length = curve.arclen(1e-9);
+        assert!(start.elapsed().as_secs_f64() < 4.0, "{degree}: {:?}", start.elapsed());
+        assert!((length - extrapolated(&curve)).abs() <= 2e-9, "{degree}: {length}");
+        if degree < 30 {
+            let weights: Vec<f64> = (0..=degree).map(|i| 1.0 + (i as f64 / 3.0).sin() / 2.0).collect();
+            let points = curve.control_points();
+            let rational = NurbsCurve::new(curve.knots().clone(), points, weights).unwrap();
+            assert!((rational.arclen(1e-9) - extrapolated(&rational)).abs() <= 2e-9, "{degree}");
+        }
+    }
+}
