@@ -441,3 +441,16 @@ fn lengths_of_high_degree() {
         }
     }
 }
+
+/// Curves of high degree keep the accuracy, too.
+#[test]
+fn nearest_points_of_high_degree() {
+    for degree in [10, 15, 16, 20, 25, 40, 60] {
+        let curve = helix(degree);
+        for point in [[3.0, 1.0, 0.0], [0.0, 0.0, 0.0], [0.1, 0.2, 0.3], [0.0, 0.0, 0.3]] {
+            let found = curve.nearest(point, 1e-9).unwrap();
+            assert!(found.distance - found.at_least <= 1e-9, "{degree} {point:?}: {found:?}");
+            assert!(curve.samples(2001).all(|p| distance(p, point) >= found.at_least));
+        }
+    }
+}
