@@ -298,6 +298,9 @@ impl<'a, P: Point> Fit<'a, P> {
     /// Between corners it is a cubic B-spline as by [`spline_within`](Self::spline_within), so that its curvature is continuous
     /// there. The first and the last point are its ends. With two points between corners it is a straight line.
     ///
+    /// Only the given points are near the path. Where what lies between them counts, as on a polygon or a path of many
+    /// segments, there is [`Path::simplified`].
+    ///
     /// ```
     /// use basis_runtime::{Fit, ParametricCurve, to_svg};
     ///
