@@ -55,7 +55,8 @@ pub enum KnotError {
         /// The ends of the domain.
         domain: [f64; 2],
     },
-    /// A split at an end of the domain, where nothing would remain on one side.
+    /// Knots are divided at an end of the domain, where nothing would remain on one side. `split` of curves and surfaces
+    /// returns [`CurveError::AtEnd`](crate::CurveError::AtEnd) there.
     AtEnd {
         /// The parameter.
         parameter: f64,

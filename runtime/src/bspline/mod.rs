@@ -12,7 +12,7 @@
 //! | other knots and degrees, the same shape | `insert_knots`, `refined`, `remove_knot`, `elevate`, `split`, `to_bezier`, `merged` of all four |
 //! | points in, a curve or a surface out | [`BSplineCurve::interpolate`], [`BSplineCurve::fit`], [`BSplineSurface::interpolate`], [`BSplineSurface::fit`] |
 //! | the same within a tolerance, with a number of control points, smoothing, given directions at the ends | [`Fit`](crate::Fit), [`GridFit`](crate::GridFit) |
-//! | a surface from curves: extruded, ruled, translated, lofted, swept, between four boundary curves | [`BSplineSurface::extruded`], [`ruled`](BSplineSurface::ruled), [`translated`](BSplineSurface::translated), [`lofted`](BSplineSurface::lofted), [`swept`](BSplineSurface::swept), [`coons`](BSplineSurface::coons); rational [`NurbsSurface::extruded`], [`NurbsSurface::ruled`] |
+//! | a surface from curves: extruded, ruled, translated, lofted, swept, between four boundary curves | [`BSplineSurface::extruded`], [`ruled`](BSplineSurface::ruled), [`translated`](BSplineSurface::translated), [`lofted`](BSplineSurface::lofted), [`swept`](BSplineSurface::swept), [`coons`](BSplineSurface::coons); rational [`NurbsSurface::extruded`], [`ruled`](NurbsSurface::ruled), [`translated`](NurbsSurface::translated), [`lofted`](NurbsSurface::lofted), [`swept`](NurbsSurface::swept), [`coons`](NurbsSurface::coons) |
 //! | closed curves without ends | [`KnotVector::periodic`], [`BSplineCurve::periodic`], [`BSplineCurve::interpolate_closed`] |
 //! | surfaces of revolution | [`NurbsSurface::revolved`]; `try_from` of a [`SurfaceOfRevolution`](crate::SurfaceOfRevolution) |
 //! | the nearest point | [`BSplineSurface::nearest`], [`ParametricCurve::nearest`](crate::ParametricCurve::nearest) |

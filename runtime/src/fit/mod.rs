@@ -15,7 +15,7 @@ pub use fitted::{FitEnd, Fitted};
 use functions::{Functions, Polynomial, Rational, Spanned, ends_of_domain};
 pub use grid::{FittedSurface, GridCorners, GridFit};
 use knots::Over;
-use linear::{Data, End, Problem, Space};
+use linear::{Data, End, Problem, Space, dot};
 use orthogonal::{Search, State};
 use polygon::{corners, spaced};
 
@@ -298,6 +298,9 @@ impl<'a, P: Point> Fit<'a, P> {
     /// Between corners it is a cubic B-spline as by [`spline_within`](Self::spline_within), so that its curvature is continuous
     /// there. The first and the last point are its ends. With two points between corners it is a straight line.
     ///
+    /// Only the given points are near the path. Where what lies between them counts, as on a polygon or a path of many
+    /// segments, there is [`Path::simplified`].
+    ///
     /// ```
     /// use basis_runtime::{Fit, ParametricCurve, to_svg};
     ///
@@ -507,7 +510,10 @@ impl<'a, P: Point> Fit<'a, P> {
                 FitEnd::Interpolated => End::Point(point),
                 FitEnd::Tangent(tangent) => {
                     let unit = direction(tangent).ok_or(FitError::Tangent { end: e })?;
-                    End::Tangent(point, (0..P::DIM).map(|d| unit.component(d).to_f64()).collect())
+                    let unit: Vec<f64> = (0..P::DIM).map(|d| unit.component(d).to_f64()).collect();
+                    // Of length 1 in double precision too, whatever the scalar type is.
+                    let length = Scalar::sqrt(dot(&unit, &unit));
+                    End::Tangent(point, unit.into_iter().map(|x| x / length).collect())
                 }
             };
         }

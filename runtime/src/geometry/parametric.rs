@@ -411,7 +411,8 @@ pub trait ParametricCurve {
     /// [`CurveError::Dimension`] if the points have not two components.
     fn winding(&self, point: Self::Point) -> Result<Option<i32>, CurveError> {
         let pieces = in_the_plane::<Self::Point>(self.pieces())?;
-        Ok(enclosed::winding(&pieces, &[0, 1].map(|d| point.component(d).to_f64())))
+        let epsilon = CurveScalar::<Self>::EPSILON.to_f64();
+        Ok(enclosed::winding(&pieces, &[0, 1].map(|d| point.component(d).to_f64()), epsilon))
     }
 
     /// The curves at a distance beside this curve in the plane, to the left of its direction if the distance is positive, one

@@ -29,6 +29,8 @@ impl<P: Point> Path<P> {
     /// Joints at which the path turns sharply by more than the tolerance hides stay joints. Segments that cannot be joined
     /// stay, those of other kinds become cubics as in [`to_cubics`](Self::to_cubics).
     ///
+    /// For points that were measured or traced, not a path to be kept, there is [`Fit::path_within`].
+    ///
     /// ```
     /// use basis_runtime::{Bezier, ParametricCurve, Path};
     ///

@@ -215,3 +215,16 @@ fn types() {
         Fit::new(&data).spanned(Spans::new(1.0).unwrap()).unwrap().curve;
     assert!(rational.domain()[1] == 2.0 && spanned.domain()[1] == 2.0);
 }
+
+/// Directions in single precision have the length 1 up to its rounding errors only, which is no reason to refuse them.
+#[test]
+fn directions_at_the_ends_in_single_precision() {
+    for k in 0..50 {
+        let turn = k as f32 * 0.13;
+        let along = [turn.cos(), turn.sin()];
+        let points: Vec<[f32; 2]> = (0..=10).map(|i| along.map(|c| c * i as f32)).collect();
+        let fit =
+            Fit::new(&points).ends([FitEnd::Tangent(along); 2]).curve(BernsteinBasis::<f32, 4>::default());
+        assert!(fit.unwrap().largest < 1e-5, "{turn}");
+    }
+}

@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::Range;
 
 use basis_runtime::bspline::{BSplineCurve, KnotVector, NurbsCurve};
-use basis_runtime::{Bezier, CurveError, CurvePiece, ParametricCurve, PiecewiseCurve, Point};
+use basis_runtime::{Bezier, CurveError, CurvePiece, ParametricCurve, Path, PiecewiseCurve, Point};
 
 use crate::random::Random;
 
@@ -373,4 +373,84 @@ fn pieces_of_a_type_of_ones_own() {
     let plain = CurvePiece::rational([0.0, 1.0], &points, &[2.0, 2.0, 2.0]).unwrap();
     assert_eq!(plain, CurvePiece::polynomial([0.0, 1.0], &points));
     assert_eq!((plain.degree(), plain.dimension(), plain.weights()), (2, 2, None));
+}
+
+/// A curve over a straight line, also within the accuracy, need not have a constant speed.
+#[test]
+fn lengths_along_straight_pieces() {
+    // x = 4 t²
+    let [path] = Path::<P2>::from_svg("M0 0Q0 0 4 0").unwrap().try_into().unwrap();
+    for (point, x) in path.samples_by_arclen(5, 1e-9).iter().zip([0.0, 1.0, 2.0, 3.0, 4.0]) {
+        assert!((point[0] - x).abs() <= 1e-9, "{point:?} {x}");
+    }
+    let single = Path::<[f32; 2]>::from_svg("M0 0Q0 0 4 0").unwrap();
+    for (point, x) in single[0].samples_by_arclen(5, 1e-6).iter().zip([0.0, 1.0, 2.0, 3.0, 4.0]) {
+        assert!((point[0] - x).abs() <= 4e-6, "{point:?} {x}");
+    }
+    let slow = BSplineCurve::from_bezier([[0.0, 0.0], [0.1, 0.0], [0.2, 0.0], [5.0, 0.0]]).unwrap();
+    let rational = NurbsCurve::new(slow.knots().clone(), slow.control_points(), [1.0, 3.0, 0.5, 2.0]);
+    let rational = rational.unwrap();
+    for length in [0.0_f64, 1e-3, 0.3, 1.0, 4.9, 5.0] {
+        assert!((slow.eval(slow.inv_arclen(length, 1e-9))[0] - length).abs() <= 1e-9);
+        assert!((rational.eval(rational.inv_arclen(length, 1e-9))[0] - length).abs() <= 1e-9);
+    }
+    // There and back, x = 2 t (1 - t).
+    let back = Path::from_curve(&Bezier::from_points([[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]]));
+    for (length, x) in [(0.25_f64, 0.25_f64), (0.5, 0.5), (0.75, 0.25)] {
+        assert!((back.eval(back.inv_arclen(length, 1e-9))[0] - x).abs() <= 1e-9);
+    }
+    let flat = Path::from_curve(&Bezier::from_points([[0.0, 0.0], [0.0, 1e-3], [4.0, 0.0]]));
+    for accuracy in [1e-1, 1e-3, 1e-9] {
+        for length in [0.5_f64, 1.0, 3.0] {
+            let before = flat.subsegment(0.0..flat.inv_arclen(length, accuracy)).unwrap();
+            assert!((before.arclen(1e-12) - length).abs() <= accuracy * 1.001);
+        }
+    }
+}
+
+/// A Bézier curve whose control points lie on a helix.
+fn helix(degree: usize) -> BSplineCurve<P3> {
+    let angle = |i: usize| 6.0 * i as f64 / degree as f64;
+    let point = |a: f64| [a.cos(), a.sin(), a / 10.0];
+    BSplineCurve::from_bezier((0..=degree).map(angle).map(point).collect::<Vec<_>>()).unwrap()
+}
+
+/// The length of the polygon with so many corners has an error that falls like `1/n²`; two of them tell the limit.
+fn extrapolated(curve: &impl ParametricCurve<Point = P3>) -> f64 {
+    let polygon = |n: usize| {
+        let corners: Vec<P3> = curve.samples(n + 1).collect();
+        corners.windows(2).map(|pair| distance(pair[0], pair[1])).sum::<f64>()
+    };
+    (4.0 * polygon(2000) - polygon(1000)) / 3.0
+}
+
+/// Rounding errors of Chebyshev coefficients of high order are no reason to halve again and again.
+#[test]
+fn lengths_of_high_degree() {
+    for degree in [10, 24, 43, 44, 48, 60] {
+        let curve = helix(degree);
+        let start = std::time::Instant::now();
+        let length = curve.arclen(1e-9);
+        assert!(start.elapsed().as_secs_f64() < 4.0, "{degree}: {:?}", start.elapsed());
+        assert!((length - extrapolated(&curve)).abs() <= 2e-9, "{degree}: {length}");
+        if degree < 30 {
+            let weights: Vec<f64> = (0..=degree).map(|i| 1.0 + (i as f64 / 3.0).sin() / 2.0).collect();
+            let points = curve.control_points();
+            let rational = NurbsCurve::new(curve.knots().clone(), points, weights).unwrap();
+            assert!((rational.arclen(1e-9) - extrapolated(&rational)).abs() <= 2e-9, "{degree}");
+        }
+    }
+}
+
+/// Curves of high degree keep the accuracy, too.
+#[test]
+fn nearest_points_of_high_degree() {
+    for degree in [10, 15, 16, 20, 25, 40, 60] {
+        let curve = helix(degree);
+        for point in [[3.0, 1.0, 0.0], [0.0, 0.0, 0.0], [0.1, 0.2, 0.3], [0.0, 0.0, 0.3]] {
+            let found = curve.nearest(point, 1e-9).unwrap();
+            assert!(found.distance - found.at_least <= 1e-9, "{degree} {point:?}: {found:?}");
+            assert!(curve.samples(2001).all(|p| distance(p, point) >= found.at_least));
+        }
+    }
 }

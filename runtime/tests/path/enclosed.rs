@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use basis_runtime::{Bezier, CurveError, ParametricCurve, Path, PathSegment};
+use basis_runtime::{Bezier, CurveError, ParametricCurve, Path, PathSegment, Point};
 
 use crate::closed;
 use crate::random::Random;
@@ -153,4 +153,41 @@ fn points_on_the_curve_have_no_winding_number() {
         [[0.0, 0.0], [-3.0, 0.0], [-2.0, 1.0]].map(|p| diamond.winding(p).unwrap()),
         [Some(1), Some(0), Some(0)]
     );
+}
+
+/// How many of many points of a curve have a winding number.
+fn beside<P: Point>(curve: &impl ParametricCurve<Point = P>) -> usize {
+    curve.samples(2_001).filter(|&p| curve.winding(p).unwrap().is_some()).count()
+}
+
+/// A point of the curve differs from it by rounding errors, those of its scalar type.
+#[test]
+fn computed_points_on_the_curve_have_no_winding_number() {
+    assert_eq!(beside(&Path::<[f64; 2]>::circle([0.0, 0.0], 1.0)), 0);
+    assert_eq!(beside(&Path::<[f32; 2]>::circle([0.0, 0.0], 1.0)), 0);
+    assert_eq!(beside(&Path::<[f32; 2]>::circle([1e3, -3.0], 0.7)), 0);
+    let mut random = Random::new(10);
+    for _ in 0..2 {
+        let mut point = || [random.between(-1.0, 1.0), random.between(-1.0, 1.0)];
+        let points: [[f64; 2]; 5] = core::array::from_fn(|_| point());
+        for count in 1..=5 {
+            let points = &points[..count];
+            let path = Path::from(PathSegment::polynomial(points.to_vec()).unwrap());
+            assert_eq!(beside(&path), 0, "{points:?}");
+            let single: Vec<[f32; 2]> = points.iter().map(|p| p.map(|c| c as f32)).collect();
+            assert_eq!(beside(&Path::from(PathSegment::polynomial(single).unwrap())), 0, "{points:?}");
+            let far: Vec<[f64; 2]> = points.iter().map(|p| p.map(|c| 1e6 + c)).collect();
+            assert_eq!(beside(&Path::from(PathSegment::polynomial(far).unwrap())), 0, "{points:?}");
+        }
+    }
+    let point = [999_999.53, 999_999.95];
+    for count in 1..=4 {
+        assert_eq!(beside(&Path::from(PathSegment::polynomial(vec![point; count]).unwrap())), 0);
+    }
+    // A little farther away there is one.
+    let circle = Path::<[f32; 2]>::circle([0.0, 0.0], 1.0);
+    for angle in [0.0_f32, 0.3, 1.0, 2.0, 4.5] {
+        let at = |radius: f32| [radius * angle.cos(), radius * angle.sin()];
+        assert_eq!([0.9999, 1.0001].map(|r| circle.winding(at(r)).unwrap()), [Some(1), Some(0)]);
+    }
 }

@@ -136,3 +136,17 @@ fn a_cubic_comes_back() {
     }
     assert!(alone >= 18, "{alone} of 20");
 }
+
+/// In single precision as in double precision.
+#[test]
+fn single_precision() {
+    let line: Vec<[f32; 2]> = (0..=100).map(|i| i as f32).map(|x| [x, 2.0 * x]).collect();
+    assert_eq!(Path::polyline(&line).unwrap().simplified(1e-3).unwrap().segments().len(), 1);
+    for scale in [1.0_f32, 10.0] {
+        let angle = |i: usize| i as f32 / 1000.0 * std::f32::consts::TAU;
+        let corners: Vec<[f32; 2]> =
+            (0..1000).map(angle).map(|a| [scale * a.cos(), scale * a.sin()]).collect();
+        let simple = Path::polygon(&corners).unwrap().simplified(1e-3 * scale).unwrap();
+        assert_eq!(simple.segments().len(), 4, "{scale}");
+    }
+}

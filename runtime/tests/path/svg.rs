@@ -180,3 +180,42 @@ fn no_text_breaks_the_reader() {
     }
     assert!(good > 100);
 }
+
+/// The shortest decimals of small and large numbers, in both scalar types.
+#[test]
+fn numbers_with_exponents() {
+    let line = |x: f32| Path::polyline(&[[0.0, 0.0], [x, 0.0]]).unwrap();
+    for (x, text) in [
+        (1e-6, "M0 0L1e-6 0"),
+        (-1.25e-7, "M0 0L-1.25e-7 0"),
+        (1e-45, "M0 0L1e-45 0"),
+        (2e-5, "M0 0L0.00002 0"),
+        (f32::MAX, "M0 0L3.4028235e38 0"),
+        (1e20, "M0 0L1e20 0"),
+    ] {
+        assert_eq!(to_svg(&line(x), 1e-3).unwrap(), text);
+        let [again] = Path::<[f32; 2]>::from_svg(text).unwrap().try_into().unwrap();
+        assert_eq!(again.end(), [x, 0.0]);
+    }
+    for x in [1.5e-300, 5e-324, f64::MAX, -1e-6, 1.0 / 3e9] {
+        let path = Path::polyline(&[[0.0, 0.0], [x, 0.0]]).unwrap();
+        let text = to_svg(&path, 1e-3).unwrap();
+        assert_eq!(text, format!("M0 0L{x:e} 0"));
+        assert_eq!(read(&text)[0].end(), [x, 0.0]);
+    }
+}
+
+/// What is finite as a number of the text need not be one of the path.
+#[test]
+fn numbers_that_are_too_large() {
+    let mistake = |text: &str| Path::<[f32; 2]>::from_svg(text).map_err(|e| (e.mistake(), e.offset()));
+    assert_eq!(mistake("M0 0L1e39 0"), Err((SvgMistake::Size, 5)));
+    assert_eq!(mistake("M-1e39 0L1 0"), Err((SvgMistake::Size, 1)));
+    assert_eq!(mistake("M0 0A1e39 1 0 0 0 1 1"), Err((SvgMistake::Size, 5)));
+    assert_eq!(mistake("M3e38 0l3e38 0"), Err((SvgMistake::Size, 8)));
+    assert_eq!(mistake("M3e38 0m3e38 0l0 0"), Err((SvgMistake::Size, 8)));
+    assert_eq!(mistake("M0 0C0 0-3e38 0 3e38 0S1 1 2 2"), Err((SvgMistake::Size, 23)));
+    assert!(mistake("M0 0L3e38 0").is_ok());
+    let error = Path::<[f64; 2]>::from_svg("M1e308 0l1e308 0").unwrap_err();
+    assert_eq!((error.mistake(), error.offset()), (SvgMistake::Size, 9));
+}

@@ -114,6 +114,12 @@ impl<P: Point3> NurbsSurface<P> {
     /// The surface that a profile sweeps along a path without turning about it, as [`BSplineSurface::swept`]: a tube, if
     /// the profile is a circle. All sections have the weights of the profile.
     ///
+    /// Only the sections in the `count` frames are exact. The distance from the exact sweep falls with the fourth power of
+    /// the number of frames, so that twice as many make it about 16 times smaller; comparing both surfaces tells how large
+    /// it is. A closed path needs enough of them: its first and its last frame are at one point, so that the others alone
+    /// say where it goes. Where the frames come back as they started, the surface meets itself;
+    /// those along a closed path in space may come back turned about it.
+    ///
     /// ```
     /// use basis_runtime::bspline::{KnotVector, NurbsCurve, NurbsSurface};
     /// use basis_runtime::{Bezier, Surface};

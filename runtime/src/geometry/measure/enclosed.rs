@@ -33,11 +33,11 @@ pub struct Enclosed<P: Point> {
 }
 
 /// The pieces, closed by straight lines: each contour, which ends where the next piece does not begin up to rounding
-/// errors, from its end to its start.
+/// errors, from its end to its start; `epsilon` is that of the points.
 #[inline]
-fn closed(pieces: &[CurvePiece]) -> Vec<CurvePiece> {
+fn closed(pieces: &[CurvePiece], epsilon: f64) -> Vec<CurvePiece> {
     let largest = pieces.iter().map(CurvePiece::largest).fold(0.0, f64::max);
-    let noise = 64.0 * f64::EPSILON * largest;
+    let noise = 64.0 * epsilon * largest;
     let end = |piece: &CurvePiece, i: usize| [piece.control(i, 0), piece.control(i, 1)];
     let mut all: Vec<CurvePiece> = Vec::new();
     let line = |all: &mut Vec<CurvePiece>, a: [f64; 2], b: [f64; 2]| {
@@ -71,7 +71,7 @@ fn closed(pieces: &[CurvePiece]) -> Vec<CurvePiece> {
 
 /// Area, centroid and moments.
 pub(crate) fn of<P: Point>(pieces: &[CurvePiece]) -> Enclosed<P> {
-    let (sums, centroid) = integrals(pieces);
+    let (sums, centroid) = integrals(pieces, P::Scalar::EPSILON.to_f64());
     let [area, x, y, xx, xy, yy] = sums.map(P::Scalar::of);
     Enclosed {
         area,
@@ -83,7 +83,7 @@ pub(crate) fn of<P: Point>(pieces: &[CurvePiece]) -> Enclosed<P> {
 
 /// The integrals of 1, x, y, x², x y, y², and the centroid.
 #[inline]
-fn integrals(pieces: &[CurvePiece]) -> ([f64; 6], Option<[f64; 2]>) {
+fn integrals(pieces: &[CurvePiece], epsilon: f64) -> ([f64; 6], Option<[f64; 2]>) {
     // About the middle of the curve, so that few digits cancel.
     let mut origin = [0.0; 2];
     for (d, origin) in origin.iter_mut().enumerate() {
@@ -94,7 +94,7 @@ fn integrals(pieces: &[CurvePiece]) -> ([f64; 6], Option<[f64; 2]>) {
     }
     let mut sums = [0.0; 6];
     let mut length = 0.0;
-    for piece in closed(pieces) {
+    for piece in closed(pieces, epsilon) {
         let seen = piece.seen_from(&origin, 1.0);
         length += seen.length_bounds()[1];
         let part = if seen.weights().is_some() { rational(&seen) } else { polynomial(&seen) };
@@ -183,27 +183,28 @@ fn rational(piece: &CurvePiece) -> [f64; 6] {
 }
 
 /// How often the curve, closed by straight lines, goes round the point, anticlockwise; `None` if the point lies on it up
-/// to rounding errors, or anything is not finite.
+/// to rounding errors, or anything is not finite. `epsilon` is that of the points.
 ///
 /// Crossings of the ray from the point to the right are counted: a part whose control points lie right of the point
-/// crosses it as its ends do, and one that lies left, above or below does not.
+/// crosses it as its ends do, and one that lies left, above or below does not. All by more than the rounding errors of a
+/// point of the curve, so that no part next to the point is on either side.
 #[inline]
-pub(crate) fn winding(pieces: &[CurvePiece], point: &[f64]) -> Option<i32> {
+pub(crate) fn winding(pieces: &[CurvePiece], point: &[f64], epsilon: f64) -> Option<i32> {
     if !pieces.iter().all(CurvePiece::is_finite) || !point.iter().all(|c| c.is_finite()) {
         return None;
     }
     let mut count = 0;
-    for piece in closed(pieces) {
-        let noise = 32.0 * f64::EPSILON * piece.largest();
+    for piece in closed(pieces, epsilon) {
+        let noise = 8.0 * epsilon * (piece.degree() + 2) as f64 * piece.largest();
         let mut open = alloc::vec![piece.seen_from(point, 1.0)];
         while let Some(part) = open.pop() {
             let side = |d: usize| -> Vec<f64> { (0..=part.degree()).map(|i| part.control(i, d)).collect() };
             let [xs, ys] = [side(0), side(1)];
             let [[left, right], [low, high]] = [bernstein::bounds(&xs), bernstein::bounds(&ys)];
-            if left > 0.0 {
+            if left > noise {
                 let below = |y: Option<&f64>| y.is_some_and(|&y| y < 0.0);
                 count += i32::from(below(ys.first())) - i32::from(below(ys.last()));
-            } else if right >= 0.0 && low <= 0.0 && high >= 0.0 {
+            } else if right >= -noise && low <= noise && high >= -noise {
                 if (right - left).max(high - low) <= noise {
                     return None;
                 }

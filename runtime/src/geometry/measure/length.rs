@@ -6,7 +6,9 @@
 //! `c0 (1 + κ)`, and if `κ < 1` it has no zero there; likewise `|w|` is at least `d0 (1 - κ')`. So the speed is analytic
 //! inside of the ellipse and has a known bound, and with it the error of the Gauss–Legendre rule with `n` nodes is at
 //! most `64/15 max|speed| ρ^(-2n) / (1 - ρ⁻²)`; see `curve/length` for the source. Pieces for which no rule is good enough
-//! are halved; those next to a cusp end when chord and control polygon agree.
+//! are halved; those next to a cusp end when chord and control polygon agree. Where the degree is high, rounding errors of the
+//! Chebyshev coefficients times `ρʲ` would hide what is known; there Bernstein coefficients bound the ones of high order, and
+//! `q` and `w` themselves on short pieces.
 
 use alloc::vec::Vec;
 
@@ -64,7 +66,9 @@ pub(crate) fn parameters(pieces: &[CurvePiece], lengths: &[f64], accuracy: f64) 
 
 /// A part of a piece whose length is known.
 struct Leaf {
+    /// Measured in `unit`.
     part: CurvePiece,
+    unit: f64,
     length: f64,
     /// `None` of a part that counts as straight.
     speed: Option<(Speed, &'static Rule)>,
@@ -74,7 +78,7 @@ impl Leaf {
     /// The place up to which the part has that length.
     #[inline]
     fn invert(&self, length: f64) -> f64 {
-        let Some((speed, rule)) = &self.speed else { return (length / self.length).min(1.0) };
+        let Some((speed, rule)) = &self.speed else { return halve(self.part.clone(), length / self.unit) };
         let (mut low, mut high) = (0.0, 1.0);
         let mut x = length / self.length;
         // Newton's method, kept between places on both sides. Over a part the rule is no worse: the ellipse of the part
@@ -97,6 +101,30 @@ impl Leaf {
         }
         x
     }
+}
+
+/// The place up to which a straight part has that length. The speed need not be constant, and may vanish; but where chord
+/// and control polygon agree, they do so on every half, because halving shortens the polygons and lengthens the chords.
+#[inline]
+fn halve(mut part: CurvePiece, mut length: f64) -> f64 {
+    let (mut place, mut width) = (0.0, 1.0);
+    for _ in 0..DEPTH {
+        if length <= 0.0 {
+            break;
+        }
+        width *= 0.5;
+        let [before, after] = part.split(0.5);
+        let [shortest, longest] = before.length_bounds();
+        let here = 0.5 * (shortest + longest);
+        part = if length >= here {
+            length -= here;
+            place += width;
+            after
+        } else {
+            before
+        };
+    }
+    place
 }
 
 /// The derivatives and what they divide by.
@@ -180,7 +208,7 @@ fn walk(pieces: &[CurvePiece], accuracy: f64, visit: &mut dyn FnMut(&Leaf) -> bo
             let mut leaf = match table.rule(&part, &speed, accuracy) {
                 Some(rule) => {
                     let length = 0.5 * rule.integrate(|z: f64| speed.at(0.5 * (z + 1.0)));
-                    Leaf { part, length, speed: Some((speed, rule)) }
+                    Leaf { part, unit: polygon, length, speed: Some((speed, rule)) }
                 }
                 None => {
                     let [shortest, longest] = part.length_bounds();
@@ -190,7 +218,7 @@ fn walk(pieces: &[CurvePiece], accuracy: f64, visit: &mut dyn FnMut(&Leaf) -> bo
                         open.push((before, 0.5 * accuracy, depth + 1));
                         continue;
                     }
-                    Leaf { part, length: 0.5 * (shortest + longest), speed: None }
+                    Leaf { part, unit: polygon, length: 0.5 * (shortest + longest), speed: None }
                 }
             };
             leaf.length *= polygon;
@@ -257,34 +285,157 @@ impl Cosines {
         if !(q[0] > 0.0 && w[0] > 0.0) {
             return None;
         }
-        for &rho in ELLIPSES.iter().rev() {
-            // Σ_{j >= 1} |cj| (ρʲ + ρ⁻ʲ)/2 / c0
-            let excess = |c: &[f64]| {
-                let noise = 8.0 * f64::EPSILON * c.len() as f64 * c[0];
-                let (mut sum, mut power) = (0.0, 1.0);
-                for c in &c[1..] {
-                    power *= rho;
-                    sum += (c.abs() + noise) * 0.5 * (power + 1.0 / power);
-                }
-                sum / c[0]
-            };
-            let (kq, kw) = (excess(&q), excess(&w));
-            if kq < 1.0 && kw < 1.0 {
-                let least = w[0] * (1.0 - kw);
-                let largest = 0.5 * Scalar::sqrt(q[0] * (1.0 + kq)) / (least * least);
-                let mut error = 64.0 / 15.0 * largest / (1.0 - 1.0 / (rho * rho));
-                let mut nodes = 0;
-                for rule in &RULES {
-                    while nodes < rule.len() {
-                        error /= rho * rho;
-                        nodes += 1;
-                    }
-                    if error <= accuracy {
-                        return Some(rule);
-                    }
-                }
+        let [mut q, mut w] = [q, w].map(|c| Series::of(&c));
+        let hull = (q.bounds.len() > NOISY).then(|| Hull::of(part));
+        if let Some(hull) = &hull {
+            q.lower(hull.largest(), 2 * hull.degree());
+            w.lower(hull.largest_weight(), hull.weights.len() - 1);
+        }
+        ELLIPSES.iter().rev().find_map(|&rho| {
+            let series = rule_on_ellipse(rho, q.on_ellipse(rho), w.on_ellipse(rho), accuracy);
+            series.or_else(|| {
+                let [q, w] = hull.as_ref()?.on_ellipse(rho);
+                rule_on_ellipse(rho, q, w, accuracy)
+            })
+        })
+    }
+}
+
+/// The first rule whose error is proved to be at most `accuracy` by the ellipse of the parameter `ρ`, on which `q` and `w`
+/// are known as a value `c` and a bound `κ` of `|q/c - 1|`.
+#[inline]
+fn rule_on_ellipse(rho: f64, q: [f64; 2], w: [f64; 2], accuracy: f64) -> Option<&'static Rule> {
+    let ([q, kq], [w, kw]) = (q, w);
+    if !(kq < 1.0 && kw < 1.0) {
+        return None;
+    }
+    let least = w * (1.0 - kw);
+    let largest = 0.5 * Scalar::sqrt(q * (1.0 + kq)) / (least * least);
+    let mut error = 64.0 / 15.0 * largest / (1.0 - 1.0 / (rho * rho));
+    let mut nodes = 0;
+    RULES.iter().find(|rule| {
+        while nodes < rule.len() {
+            error /= rho * rho;
+            nodes += 1;
+        }
+        error <= accuracy
+    })
+}
+
+/// With more coefficients than these the powers of `ρ` make their rounding errors matter.
+const NOISY: usize = 64;
+
+/// A polynomial `c0 + c1 T1(z) + …` with `c0 > 0`.
+struct Series {
+    mean: f64,
+    /// Bounds of `|c1|, |c2|, …`.
+    bounds: Vec<f64>,
+}
+
+impl Series {
+    /// From coefficients that were computed.
+    #[inline]
+    fn of(c: &[f64]) -> Self {
+        let noise = 8.0 * f64::EPSILON * c.len() as f64 * c[0];
+        Self { mean: c[0], bounds: c[1..].iter().map(|c| c.abs() + noise).collect() }
+    }
+
+    /// Lowers the bounds to `2 M ρ⁻ʲ`, where `M = m aᵏ`, `a = (ρ + ρ⁻¹)/2`, bounds the polynomial on an ellipse if no Bernstein
+    /// coefficient of degree `k` is larger than `m`: `Σ |Bi(x)| <= (|x| + |1 - x|)ᵏ`. So coefficients of high order are less
+    /// than their rounding errors.
+    #[inline]
+    fn lower(&mut self, largest: f64, degree: usize) {
+        for rho in ELLIPSES {
+            let mut bound = (0..degree).fold(2.0 * largest, |bound, _| bound * half_axis(rho));
+            for c in &mut self.bounds {
+                bound /= rho;
+                *c = c.min(bound);
             }
         }
-        None
     }
+
+    /// The mean and `Σ_{j >= 1} |cj| (ρʲ + ρ⁻ʲ)/2 / c0`.
+    #[inline]
+    fn on_ellipse(&self, rho: f64) -> [f64; 2] {
+        let (mut sum, mut power) = (0.0, 1.0);
+        for c in &self.bounds {
+            power *= rho;
+            sum += c * 0.5 * (power + 1.0 / power);
+        }
+        [self.mean, sum / self.mean]
+    }
+}
+
+/// `|x| + |1 - x|` on the ellipse.
+#[inline]
+fn half_axis(rho: f64) -> f64 {
+    0.5 * (rho + 1.0 / rho)
+}
+
+/// What the Bernstein coefficients of `V`, `q = V · V`, and of `w` say.
+struct Hull {
+    /// One component of `V` after the other.
+    velocity: Vec<Vec<f64>>,
+    weights: Vec<f64>,
+}
+
+impl Hull {
+    #[inline]
+    fn of(part: &CurvePiece) -> Self {
+        let velocity = (0..part.dimension()).map(|d| part.slope(d)).collect();
+        Self { velocity, weights: part.weights().map_or(alloc::vec![1.0], <[f64]>::to_vec) }
+    }
+
+    /// The degree of `V`.
+    #[inline]
+    fn degree(&self) -> usize {
+        self.velocity.first().map_or(0, |list| list.len().saturating_sub(1))
+    }
+
+    /// The largest square of a coefficient of `V`.
+    #[inline]
+    fn largest(&self) -> f64 {
+        let square = |i: usize| self.velocity.iter().fold(0.0, |sum, list| sum + list[i] * list[i]);
+        (0..=self.degree()).map(square).fold(0.0, f64::max)
+    }
+
+    #[inline]
+    fn largest_weight(&self) -> f64 {
+        self.weights.iter().fold(0.0, |largest, w| largest.max(w.abs()))
+    }
+
+    /// For `q` and `w` a value `c` and a bound of `|q/c - 1|`.
+    #[inline]
+    fn on_ellipse(&self, rho: f64) -> [[f64; 2]; 2] {
+        let [speed, change] = around_middle(&self.velocity, rho);
+        let [w, of_w] = around_middle(core::slice::from_ref(&self.weights), rho);
+        // |(c + v)² - c²|
+        [[speed * speed, (speed + speed + change) * change / (speed * speed)], [w, of_w / w]]
+    }
+}
+
+/// The length of the mean `m` of the first and the last coefficient, and a bound of `|p - m|` on the ellipse of a polynomial
+/// with these lists of Bernstein coefficients: half the difference of both times `a = (ρ + ρ⁻¹)/2`, for the line from one to the
+/// other, and the largest distance of a coefficient from it times `aᵏ`, `k` the degree.
+#[inline]
+fn around_middle(lists: &[Vec<f64>], rho: f64) -> [f64; 2] {
+    let (mut middle, mut slope, mut bend) = (0.0, 0.0, 0.0);
+    let last = lists.first().map_or(0, |list| list.len().saturating_sub(1));
+    for i in 0..=last {
+        let part = if last > 0 { i as f64 / last as f64 } else { 0.0 };
+        let mut square = 0.0;
+        for list in lists {
+            let away = list[i] - list[0] - part * (list[last] - list[0]);
+            square += away * away;
+        }
+        bend = f64::max(bend, square);
+    }
+    for list in lists {
+        let (sum, difference) = (list[0] + list[last], list[last] - list[0]);
+        middle += 0.25 * sum * sum;
+        slope += 0.25 * difference * difference;
+    }
+    let a = half_axis(rho);
+    let [middle, slope, bend] = [middle, slope, bend].map(Scalar::sqrt);
+    [middle, slope * a + (0..last).fold(bend, |bend, _| bend * a)]
 }

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::{SvgError, SvgMistake};
 use crate::path::{Path, PathSegment};
+use crate::vector::is_finite;
 use crate::{Point, Scalar};
 
 impl<P: Point> Path<P> {
@@ -107,6 +108,7 @@ impl<P: Point> Pen<P> {
             'A' => 7,
             _ => 0,
         };
+        let (at, before) = (reader.at, self.segments.len());
         let mut numbers = [0.0; 7];
         for (i, number) in numbers.iter_mut().enumerate().take(takes) {
             if i > 0 {
@@ -115,10 +117,15 @@ impl<P: Point> Pen<P> {
             *number = if upper == 'A' && (i == 3 || i == 4) {
                 reader.flag()?
             } else {
-                reader.number().map_err(|at| match at {
+                let at = reader.at;
+                let number = reader.number().map_err(|at| match at {
                     (true, at) => SvgError::new(SvgMistake::Size, at),
                     (false, at) => SvgError::new(SvgMistake::Number { command, takes }, at),
-                })?
+                })?;
+                if !P::Scalar::of(number).is_finite() {
+                    return Err(SvgError::new(SvgMistake::Size, at));
+                }
+                number
             };
         }
         let point = |i: usize| [numbers[i] + origin[0], numbers[i + 1] + origin[1]];
@@ -151,7 +158,10 @@ impl<P: Point> Pen<P> {
                 self.handle = None;
             }
         }
-        Ok(())
+        // Numbers that are small enough can add up to one that is not.
+        let drawn = self.segments.iter().skip(before).flat_map(PathSegment::control_points);
+        let finite = is_finite(to_point::<P>(self.here)) && drawn.copied().all(is_finite);
+        if finite { Ok(()) } else { Err(SvgError::new(SvgMistake::Size, at)) }
     }
 
     /// A segment from here on over these control points.

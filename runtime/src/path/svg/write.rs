@@ -155,10 +155,20 @@ fn numbers<P: Point>(text: &mut String, points: &[P]) {
 fn shortest<S: Scalar>(number: S) -> String {
     let number = if number == S::ZERO { S::ZERO } else { number }; // no -0
     let size = number.abs().to_f64();
-    if size != 0.0 && !(1e-5..1e16).contains(&size) {
-        return alloc::format!("{:e}", number.to_f64());
-    }
-    number.to_string()
+    let decimal = number.to_string();
+    if size != 0.0 && !(1e-5..1e16).contains(&size) { with_exponent(&decimal) } else { decimal }
+}
+
+/// The number with the same digits and an exponent: `-1.25e-7` for `-0.000000125`.
+fn with_exponent(decimal: &str) -> String {
+    let (sign, size) = decimal.strip_prefix('-').map_or(("", decimal), |size| ("-", size));
+    let (whole, fraction) = size.split_once('.').unwrap_or((size, ""));
+    let all = alloc::format!("{whole}{fraction}");
+    let digits = all.trim_start_matches('0');
+    let exponent = digits.len() as isize - fraction.len() as isize - 1;
+    let (first, rest) = digits.trim_end_matches('0').split_at(1);
+    let point = if rest.is_empty() { "" } else { "." };
+    alloc::format!("{sign}{first}{point}{rest}e{exponent}")
 }
 
 fn separate(text: &mut String, number: &str) {

@@ -8,8 +8,11 @@ use crate::numeric::binomial::row;
 /// The most steps of Newton's method; it needs five or six unless the surface is singular there.
 const STEPS: usize = 60;
 
-/// The highest degree whose squared distance is expanded; its binomial coefficients are exact.
-const SHARP: usize = 15;
+/// The most control points of which the squared distance is expanded: their products are worth less on larger nets.
+const SHARP: usize = 256;
+
+/// Up to this degree the binomial coefficients of the squared distance are exact.
+const EXACT: usize = 15;
 
 /// A Bézier net of `(kv + 1)` rows of `(ku + 1)` points with `dim` components each; of a rational patch the components
 /// are multiplied by the weight, which is one component more. Weights are positive.
@@ -161,7 +164,7 @@ impl Piece {
     #[inline]
     pub(super) fn sharp_bound(&self) -> f64 {
         let [ku, kv] = self.degrees;
-        if ku.max(kv) > SHARP {
+        if self.size() > SHARP {
             return 0.0;
         }
         let binomials = |degree| row(degree).collect::<Vec<f64>>();
@@ -195,14 +198,16 @@ impl Piece {
             let least = (0..self.size()).map(|n| self.weight(n)).fold(f64::INFINITY, f64::min);
             largest /= least * least;
         }
-        // The terms of a coefficient have weights that sum to 1; each has a few rounding errors.
-        let error = 4.0 * f64::EPSILON * (self.size() + self.dim) as f64 * largest;
+        // The terms of a coefficient have weights that sum to 1; each has a few rounding errors, and those of binomial
+        // coefficients that are not exact: two for each step from one to the next.
+        let inexact = if ku.max(kv) > EXACT { 4 * (ku + kv) } else { 0 };
+        let error = 4.0 * f64::EPSILON * (self.size() + self.dim + inexact) as f64 * largest;
         crate::Scalar::sqrt((smallest - error).max(0.0))
     }
 
     #[inline]
     pub(super) fn sharp_work(&self) -> usize {
-        if self.degrees[0].max(self.degrees[1]) > SHARP { 1 } else { self.size() * self.size() * self.stride }
+        if self.size() > SHARP { 1 } else { self.size() * self.size() * self.stride }
     }
 
     #[inline]
