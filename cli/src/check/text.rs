@@ -103,7 +103,7 @@ fn family_heading(families: &[&Family]) -> String {
         format!("{functions} {noun} {}", kind(families)),
         format!("domain {}", same(families, domain::describe)),
     ];
-    if !family.shapes.is_empty() {
+    if families.iter().any(|family| !family.shapes.is_empty()) {
         facts.push(format!("shape {}", same(families, shapes)));
     }
     let assumed = |family: &Family| domain::assumptions(family).join(", ");
@@ -142,10 +142,10 @@ fn shapes(family: &Family) -> String {
     ranges.join(", ")
 }
 
-/// A text that may depend on the order; if it does, that of the first one.
+/// A text that may depend on the order; if it does, that of the first one that has any.
 fn same(families: &[&Family], text: impl Fn(&Family) -> String) -> String {
-    let Some(first) = families.first() else { return String::new() };
-    let first_text = text(first);
+    let mut texts = families.iter().map(|family| (family, text(family)));
+    let Some((first, first_text)) = texts.find(|(_, text)| !text.is_empty()) else { return String::new() };
     if families.iter().all(|family| text(family) == first_text) {
         first_text
     } else {

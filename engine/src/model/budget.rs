@@ -189,6 +189,12 @@ impl Budget {
         *self.reduction.borrow_mut() = Work::new(MAX_REDUCTION);
     }
 
+    /// Leaves a small part of the work, for what may be left undone.
+    pub(crate) fn shorten(&self) {
+        self.refill();
+        *self.reduction.borrow_mut() = Work::new(MAX_REDUCTION / 16);
+    }
+
     /// What the whole run may take.
     pub(crate) fn run(&self) -> &Run {
         &self.run

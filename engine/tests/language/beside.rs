@@ -571,11 +571,7 @@ fn beside_powers_of_the_variable_over_the_end() {
         + "prove b[2] >= (t/α)^3; refute b[2] <= (t/α)^3; prove sin(t)*α >= t*sin(α); refute sin(t)*α >= t*sin(α) + t/10^5; }";
     assert_eq!(
         counterexamples(&circular),
-        [
-            "0 at α = pi, t = 0",
-            "about 0.098188 at α = pi, tan(t/4) = 3/4",
-            "-1/100000*pi at α = pi, t = α"
-        ]
+        ["0 at α = pi, t = 0", "about 0.098188 at α = pi, tan(t/4) = 3/4", "-1/100000*pi at α = pi, t = α"]
     );
 }
 

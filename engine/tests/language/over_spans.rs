@@ -87,3 +87,20 @@ fn of_arguments_and_of_integrals() {
         }",
     );
 }
+
+/// Exponentials over three spans whose length has a largest value: the quadratic hyperbolic B-spline.
+#[test]
+fn hyperbolic_splines() {
+    let found = verdicts(
+        "family Hyperbolic {
+            shape 0 < α <= 1;
+            domain 0 <= x <= α, α <= x <= 2*α, 2*α <= x <= 3*α;
+            f[0] = sinh(x) | sinh(α) | sinh(3*α - x);
+            prove smooth(0);
+            prove nonnegative;
+            prove smooth(1);
+        }",
+    );
+    assert_eq!(found[..2], ["=", "="]);
+    assert!(found[2].contains(" at "), "{found:?}");
+}

@@ -944,3 +944,35 @@ fn lists_of_parameters_are_in_order() {
     let verdicts = rechecked(&report);
     assert!(verdicts.len() == 1 && matches!(verdicts[0], Verdict::Proved(_)), "{:?}", report.diagnostics);
 }
+
+/// A sum over the members of a list that has none is 0.
+#[test]
+fn lists_without_members() {
+    let found = verdicts(
+        "family Shifted(n in 0..=2) {
+            domain 0 <= t <= 1;
+            shape 0 < λ[i] for i in 1..=n;
+            b[0] = t + sum(λ);
+            b[1] = product(λ) - t;
+            prove nonnegative;
+            prove b[0] + b[1] >= 1;
+        }",
+    );
+    assert_eq!(found[..2], ["=", "="], "{found:?}");
+    assert!(found[2..].iter().all(|f| f.contains(" at ") || f == "="), "{found:?}");
+}
+
+/// The search for points among those that are assumed is counted, so that the claims after it have their work.
+#[test]
+fn hard_searches_leave_work_for_others() {
+    let found = verdicts(
+        "family Hard {
+            domain 0 <= t <= a;
+            shape 0 < a <= 2*pi/3;
+            f[0] = 1;
+            prove 3/2*cos(a - t) - 3*sin(a - t)*sin(a)*cos(a - t) + 2*cos(t)^2*sin(a - t) + cos(a)^2*cos(a/2) >= -233/2500;
+        }
+        family Easy { domain 0 <= t <= 1; f[0] = t*(1 - t); prove f[0] = t - t^2; prove nonnegative; prove f[0] <= 1; }",
+    );
+    assert_eq!(found[1..], ["="; 3]);
+}

@@ -379,7 +379,13 @@ fn mirrors(
         for end in limits[k].iter().flatten() {
             reversed = &reversed + &sum_of(scope, &end.value, count)?;
         }
-        if let Ok(Some(y)) = scope.angle_at(&angle, &reversed, Span::call_site()) {
+        // Where this is too much work nothing is known of the reversed domain, which is no mistake.
+        scope.budget.shorten();
+        let said = scope.diagnostics.take();
+        let found = scope.angle_at(&angle, &reversed, Span::call_site());
+        *scope.diagnostics.borrow_mut() = said;
+        scope.budget.refill();
+        if let Ok(Some(y)) = found {
             scope.analytic.angles[position].mirror = vec![(angle.var, y), (angle.itself, reversed)];
         }
     }
