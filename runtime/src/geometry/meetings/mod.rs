@@ -72,13 +72,9 @@ pub(crate) fn meetings(
         search.run();
         return Some(search.answers(a, b, accuracy, view));
     }
-    let boxes = [a, b].map(|pieces| pieces.iter().map(|piece| bounds(piece, view)).collect::<Vec<_>>());
-    for (first, near) in a.iter().zip(&boxes[0]) {
-        for (second, other) in b.iter().zip(&boxes[1]) {
-            if !near.iter().zip(other).any(|([a, b], [c, d])| (a - d).max(c - b) > accuracy) {
-                search.between(first, second, view);
-            }
-        }
+    let boxes: Vec<Vec<[f64; 2]>> = a.iter().chain(b).map(|piece| bounds(piece, view)).collect();
+    for [k, n] in merged::beside(&boxes, accuracy, |k, n| k < a.len() && n >= a.len()) {
+        search.between(&a[k], &b[n - a.len()], view);
     }
     search.run();
     Some(search.answers(a, b, accuracy, view))
@@ -97,9 +93,10 @@ pub(crate) fn self_meetings(a: &[CurvePiece], accuracy: f64, epsilon: f64) -> Op
         if let Some(second) = seen.get(k + 1) {
             search.open.push(Pair { first: first.clone(), second: second.clone() });
         }
-        for n in k + 2..seen.len() {
-            search.between(&a[k], &a[n], view);
-        }
+    }
+    let boxes: Vec<Vec<[f64; 2]>> = a.iter().map(|piece| bounds(piece, view)).collect();
+    for [k, n] in merged::beside(&boxes, accuracy, |k, n| n >= k + 2) {
+        search.between(&a[k], &a[n], view);
     }
     search.run();
     let mut found = search.answers(a, a, accuracy, view);

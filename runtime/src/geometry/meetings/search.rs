@@ -172,7 +172,10 @@ impl Search<'_> {
                 piece.restricted(piece.place(from.max(lo)), piece.place(to.min(hi)))
             })
         };
-        !self.own.is_empty() && self.goes_on(&self.own.iter().filter_map(part).collect::<Vec<_>>())
+        let start = self.own.partition_point(|piece| piece.domain()[1] <= from);
+        let end = self.own.partition_point(|piece| piece.domain()[0] < to);
+        let between = self.own.get(start..end).unwrap_or_default();
+        !self.own.is_empty() && self.goes_on(&between.iter().filter_map(part).collect::<Vec<_>>())
     }
 
     /// Whether consecutive parts go on in one direction, or no farther than twice the accuracy.
