@@ -45,7 +45,9 @@ fn brute(
 }
 
 fn covers(meeting: &Meeting<P2>, at: [f64; 2], gap: f64) -> bool {
-    let within = |[lo, hi]: [f64; 2], t: f64| t >= lo - gap && t <= hi + gap;
+    let within = |[lo, hi]: [f64; 2], t: f64| {
+        if lo > hi { t >= lo - gap || t <= hi + gap } else { t >= lo - gap && t <= hi + gap }
+    };
     within(meeting.first, at[0]) && within(meeting.second, at[1])
 }
 
@@ -331,4 +333,24 @@ fn of_hostile_curves() {
     let point = Curve::new(basis_runtime::BernsteinBasis::<f64, 1>::new(), [[1.0, 2.0]]);
     assert_eq!(point.intersections(&point, 1e-9).unwrap().len(), 1);
     assert_eq!(point.self_intersections(1e-9), Some(vec![]));
+}
+
+/// Curves that nearly coincide cross where they should, however small the angle is, and each place is one answer.
+#[test]
+fn of_nearly_equal_curves() {
+    let arch = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]);
+    for e in [1e-4, 1e-6, 1e-7, 1e-8] {
+        let lower = arch.map(|[x, y]| [x, y * (1.0 - e) + 0.25 * e]);
+        let [left, right] = arch.intersections(&lower, 1e-9).unwrap().try_into().unwrap();
+        assert!(covers(&left, [0.25; 2], 1e-7) && covers(&right, [0.75; 2], 1e-7), "{left:?} {right:?}");
+    }
+    let wave = Bezier::from_points([[0.0, 0.0], [1.0, 2.0], [2.0, -2.0], [3.0, 1.0]]);
+    let tilted = wave.map(|[x, y]| [x, y + 1e-8 * (x - 0.7)]);
+    let [met]: [Meeting<P2>; 1] = wave.intersections(&tilted, 1e-10).unwrap().try_into().unwrap();
+    assert!((met.at[0] - 0.7 / 3.0).abs() < 1e-6 && met.distance < 1e-12, "{met:?}");
+    // In space, with a height that is zero at one place.
+    let lifted = wave.map(|[x, y]| [x, y, 0.3 * x]);
+    let other = wave.map(|[x, y]| [x, y + 1e-7 * (x - 0.7), 0.3 * x + 2e-7 * (x - 0.7)]);
+    let [met]: [Meeting<P3>; 1] = lifted.intersections(&other, 1e-10).unwrap().try_into().unwrap();
+    assert!((met.at[0] - 0.7 / 3.0).abs() < 1e-3 && met.distance < 1e-10, "{met:?}");
 }

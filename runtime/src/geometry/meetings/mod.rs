@@ -6,11 +6,15 @@
 //! most one zero, and all places with `|F| <= d` lie within `q/2 + d |M|` of the place to which Newton's step leads from
 //! the middle (the operator of Krawczyk): if that is outside of both parts there is none; otherwise Newton's method
 //! finds the zero. All others are halved, until control points show that they are one curve, or that both go along
-//! their chords: then the intervals in which the chords are beside each other are known. So nothing is left out.
+//! their chords: then the intervals in which the chords are beside each other are known. Parts that run along each other
+//! for long are not halved but compared as functions of one parameter (`along`). So nothing is left out. A search that
+//! becomes too long nevertheless goes on with twice the accuracy, and so on; what it finds then is an answer also where
+//! the curves are not known to be as near as was asked for.
 //!
 //! Intervals that touch each other are one answer, and what is beside a crossing belongs to it. The parts between two
 //! places of one curve say whether these are places at which it meets itself: not if it goes on in one direction between
 //! them, or no farther than twice the accuracy.
+mod along;
 mod answers;
 mod beside;
 mod clipping;
