@@ -11,7 +11,7 @@
 //! becomes too long nevertheless goes on with twice the accuracy, and so on; what it finds then is an answer also where
 //! the curves are not known to be as near as was asked for.
 //!
-//! Intervals that touch each other are one answer, and what is beside a crossing belongs to it. The parts between two
+//! Intervals that touch each other, also through the end of a closed curve, are one answer, and what is beside a crossing belongs to it. The parts between two
 //! places of one curve say whether these are places at which it meets itself: not if it goes on in one direction between
 //! them, or no farther than twice the accuracy.
 mod along;
@@ -21,6 +21,7 @@ mod clipping;
 mod line;
 pub(super) mod meeting;
 mod merged;
+mod seam;
 mod search;
 mod single;
 pub(super) mod surface_meeting;
@@ -74,14 +75,14 @@ pub(crate) fn meetings(
     if let ([first], [second]) = (a, b) {
         search.between(first, second, view);
         search.run();
-        return Some(search.answers(a, b, accuracy, view));
+        return Some(seam::joined(search.answers(a, b, accuracy, view), [a, b], view, accuracy));
     }
     let boxes: Vec<Vec<[f64; 2]>> = a.iter().chain(b).map(|piece| bounds(piece, view)).collect();
     for [k, n] in merged::beside(&boxes, accuracy, |k, n| k < a.len() && n >= a.len()) {
         search.between(&a[k], &b[n - a.len()], view);
     }
     search.run();
-    Some(search.answers(a, b, accuracy, view))
+    Some(seam::joined(search.answers(a, b, accuracy, view), [a, b], view, accuracy))
 }
 
 /// All places at which a curve meets itself, the smaller parameter first, but for the one at which a closed curve ends
