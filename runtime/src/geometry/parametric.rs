@@ -531,9 +531,12 @@ pub trait ParametricCurve {
     /// up to rounding errors; so does an end of one curve that is no farther than `accuracy` from the other one. An
     /// answer is a pair of parameters, or an interval of each curve in which they are nearer to each other than about
     /// `accuracy`, also where they touch or run along each other; in space the curves need not meet exactly to be an
-    /// answer. An `accuracy` below some 64 `ε` times the size of the curves, also zero or NaN, asks for what the scalar
-    /// type can give; curves that run along each other take the longer the smaller it is.
-    /// `None` if a control point is not finite.
+    /// answer. A place at the end of a closed curve is one answer, whose interval runs through the end: from a larger
+    /// parameter to a smaller one. An `accuracy` below some 64 `ε` times the size of the curves, also zero or NaN, asks
+    /// for what the scalar type can give; curves that run along each other take the longer the smaller it is. Where a
+    /// search becomes too long all the same, because the curves are about as near as `accuracy` in many places, the
+    /// intervals that are left are contacts or overlaps too, also where the curves are farther than `accuracy` from each
+    /// other: [`Meeting::distance`] says how near they are found to be. `None` if a control point is not finite.
     ///
     /// ```
     /// use basis_runtime::{Bezier, MeetingKind, ParametricCurve};

@@ -1,4 +1,6 @@
-//! Triangle meshes of surfaces: within a tolerance, without cracks, consistently oriented.
+//! Triangle meshes of surfaces: within a tolerance, without cracks, and consistently oriented wherever that is possible.
+//! It is not on a Möbius strip, nor where a surface comes back to an edge of its own triangles from the other side, as a
+//! bow tie in a plane does at its middle: such a mesh is no error, and [`Mesh::is_oriented`] says it.
 
 mod cut;
 mod error;
@@ -131,7 +133,8 @@ impl<S: Scalar> Mesh<S> {
         self.edges().iter().all(|&(_, uses)| uses == [1, 1])
     }
 
-    /// Whether no edge is used twice in the same direction.
+    /// Whether no edge is used twice in the same direction. Not of a Möbius strip, nor of a surface that folds through
+    /// itself along an edge.
     pub fn is_oriented(&self) -> bool {
         self.edges().iter().all(|(_, uses)| uses.iter().all(|&count| count <= 1))
     }

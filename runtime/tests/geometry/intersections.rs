@@ -1,7 +1,7 @@
 //! Where curves meet: nothing is missed, and what is answered is there.
 
 use basis_runtime::bspline::BSplineCurve;
-use basis_runtime::{Bezier, Curve, Meeting, MeetingKind, ParametricCurve, PiecewiseCurve};
+use basis_runtime::{Bezier, Curve, Meeting, MeetingKind, ParametricCurve, Path, PiecewiseCurve};
 
 use crate::queries::{circle, distance, nurbs, spline};
 use crate::random::Random;
@@ -45,7 +45,9 @@ fn brute(
 }
 
 fn covers(meeting: &Meeting<P2>, at: [f64; 2], gap: f64) -> bool {
-    let within = |[lo, hi]: [f64; 2], t: f64| t >= lo - gap && t <= hi + gap;
+    let within = |[lo, hi]: [f64; 2], t: f64| {
+        if lo > hi { t >= lo - gap || t <= hi + gap } else { t >= lo - gap && t <= hi + gap }
+    };
     within(meeting.first, at[0]) && within(meeting.second, at[1])
 }
 
@@ -331,4 +333,57 @@ fn of_hostile_curves() {
     let point = Curve::new(basis_runtime::BernsteinBasis::<f64, 1>::new(), [[1.0, 2.0]]);
     assert_eq!(point.intersections(&point, 1e-9).unwrap().len(), 1);
     assert_eq!(point.self_intersections(1e-9), Some(vec![]));
+}
+
+/// Curves that nearly coincide cross where they should, however small the angle is, and each place is one answer.
+#[test]
+fn of_nearly_equal_curves() {
+    let round = Path::circle([0.0, 0.0], 1.0);
+    for by in [1e-3, 1e-5, 1e-7, 1e-8] {
+        for (direction, places) in
+            [([1.0, 0.0], [1.0, 3.0]), ([0.0, 1.0], [0.0, 2.0]), ([0.6, 0.8], [1.5858, 3.5858])]
+        {
+            for accuracy in [1e-9, 1e-12] {
+                let other = Path::circle(direction.map(|d| by * d), 1.0);
+                let found = round.intersections(&other, accuracy).unwrap();
+                assert_eq!(found.len(), 2, "{by} {direction:?} {accuracy} {found:?}");
+                for t in places {
+                    let beside = |at: f64| (at - t).abs().min((at - t - 4.0).abs()) < by + 1e-4;
+                    assert!(found.iter().any(|m| beside(m.at[0]) && m.distance < accuracy), "{found:?}");
+                }
+            }
+        }
+    }
+    let arch = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]);
+    for e in [1e-4, 1e-6, 1e-7, 1e-8] {
+        let lower = arch.map(|[x, y]| [x, y * (1.0 - e) + 0.25 * e]);
+        let [left, right] = arch.intersections(&lower, 1e-9).unwrap().try_into().unwrap();
+        assert!(covers(&left, [0.25; 2], 1e-7) && covers(&right, [0.75; 2], 1e-7), "{left:?} {right:?}");
+    }
+    let wave = Bezier::from_points([[0.0, 0.0], [1.0, 2.0], [2.0, -2.0], [3.0, 1.0]]);
+    let tilted = wave.map(|[x, y]| [x, y + 1e-8 * (x - 0.7)]);
+    let [met]: [Meeting<P2>; 1] = wave.intersections(&tilted, 1e-10).unwrap().try_into().unwrap();
+    assert!((met.at[0] - 0.7 / 3.0).abs() < 1e-6 && met.distance < 1e-12, "{met:?}");
+    // In space, with a height that is zero at one place.
+    let lifted = wave.map(|[x, y]| [x, y, 0.3 * x]);
+    let other = wave.map(|[x, y]| [x, y + 1e-7 * (x - 0.7), 0.3 * x + 2e-7 * (x - 0.7)]);
+    let [met]: [Meeting<P3>; 1] = lifted.intersections(&other, 1e-10).unwrap().try_into().unwrap();
+    assert!((met.at[0] - 0.7 / 3.0).abs() < 1e-3 && met.distance < 1e-10, "{met:?}");
+}
+
+/// A place at the end of a closed curve is one answer, and a curve that starts elsewhere is the same curve.
+#[test]
+fn through_the_ends_of_closed_curves() {
+    let round = Path::circle([0.0, 0.0], 1.0);
+    let [touch] = round.intersections(&Path::circle([2.0, 0.0], 1.0), 1e-9).unwrap().try_into().unwrap();
+    assert_eq!(touch.kind, MeetingKind::Contact);
+    assert!(touch.first[0] > 3.99 && touch.first[1] < 0.01, "{touch:?}");
+    let [inside] = round.intersections(&Path::circle([0.5, 0.0], 0.5), 1e-9).unwrap().try_into().unwrap();
+    assert!(inside.first[0] > inside.first[1] && inside.second[0] > inside.second[1], "{inside:?}");
+    let turned = round.map(|[x, y]: P2| [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y]);
+    let [same] = round.intersections(&turned, 1e-9).unwrap().try_into().unwrap();
+    assert_eq!((same.kind, same.first, same.second), (MeetingKind::Overlap, [0.0, 4.0], [0.0, 4.0]));
+    let line = Path::polyline(&[[0.0, 0.0], [2.0, 0.0]]).unwrap();
+    let [cross] = round.intersections(&line, 1e-9).unwrap().try_into().unwrap();
+    assert!(cross.kind == MeetingKind::Crossing && cross.point == [1.0, 0.0], "{cross:?}");
 }

@@ -232,6 +232,58 @@ fn trimmed_shapes() {
     assert!(trimmed(&ring, 1.1).is_empty());
 }
 
+/// Corners that turn by so little that the loop between their sides is hidden in the tolerance.
+#[test]
+fn trimmed_small_corners() {
+    let trimmed =
+        |path: &Path<P>, distance: f64| Offset::new(distance, 1e-3).unwrap().trimmed().of(path).unwrap();
+    for turn in [0.5_f64, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001] {
+        for side in [1.0, -1.0] {
+            let end = [1.0 + turn.cos(), side * turn.sin()];
+            let [path] = trimmed(&Path::polyline(&[[0.0, 0.0], [1.0, 0.0], end]).unwrap(), 0.1 * side)
+                .try_into()
+                .unwrap();
+            assert!(path.self_intersections(1e-9).unwrap().is_empty(), "{turn} {path:?}");
+        }
+    }
+    for count in [12_u32, 60, 200] {
+        let corner = |i: u32| {
+            let angle = 2.0 * PI * f64::from(i) / f64::from(count);
+            [angle.cos(), angle.sin()]
+        };
+        let polygon = Path::polygon(&(0..count).map(corner).collect::<Vec<_>>()).unwrap();
+        let [inside] = trimmed(&polygon, 0.1).try_into().unwrap();
+        let half = PI / f64::from(count);
+        let height = half.cos() - 0.1;
+        let expected = f64::from(count) * height * height * half.tan();
+        let area = inside.enclosed().unwrap().area;
+        assert!(inside.is_closed() && (area - expected).abs() < 5e-3, "{count} {area} {expected}");
+    }
+    // Many chords of a curve, in a time that does not grow with the cube of their number.
+    for count in [250, 1000] {
+        let x = |i: u32| 20.0 * f64::from(i) / f64::from(count);
+        let wave: Vec<P> = (0..=count).map(|i| [x(i), x(i).sin()]).collect();
+        assert_eq!(trimmed(&Path::polyline(&wave).unwrap(), 0.1).len(), 1);
+    }
+}
+
+/// A segment that turns back has an arc there, as two segments have.
+#[test]
+fn curves_that_turn_back() {
+    let out_and_back = PathSegment::polynomial(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]]).unwrap();
+    let curve = Path::new(vec![out_and_back]).unwrap();
+    for distance in [0.3, -0.3] {
+        for offset in [Offset::new(distance, 1e-4).unwrap(), Offset::new(distance, 1e-4).unwrap().trimmed()] {
+            let [path] = offset.of(&curve).unwrap().try_into().unwrap();
+            for p in path.samples(200) {
+                let near: f64 = curve.nearest(p, 1e-9).unwrap().distance;
+                assert!((near - 0.3).abs() < 1e-4, "{p:?} {near}");
+            }
+            assert!(path.nearest([0.8, 0.0], 1e-9).unwrap().distance < 1e-9);
+        }
+    }
+}
+
 /// A point is painted if it is nearer to the curve than half of the width.
 #[test]
 fn strokes_cover_what_is_near() {

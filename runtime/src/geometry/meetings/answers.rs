@@ -11,7 +11,7 @@ use crate::{CurvePiece, Scalar};
 /// How far rounding errors take points that are one from each other, in the unit in which the curves have the size 1.
 const NOISE: f64 = 1e-12;
 
-/// From how many places a curve that turns is searched for the one at which it meets itself.
+/// From how many places the one at which curves are nearest to each other is searched.
 const STARTS: usize = 24;
 
 /// What makes answers of groups.
@@ -69,8 +69,7 @@ impl Answers {
     fn place(&self, near: &[Near], best: &Near, around: [[f64; 2]; 2], extent: f64) -> Option<[f64; 2]> {
         let [a, b] = &self.curves;
         if !self.itself || !self.is_turn(around) {
-            let (at, distance) = approach(a, b, best.at, around);
-            return (distance <= self.accuracy).then_some(at);
+            return self.nearest(near, best, around);
         }
         // If it comes back the way that it went, then from as far as it does.
         let is_place = |at: [f64; 2], distance: f64, enough: f64| {
@@ -94,6 +93,27 @@ impl Answers {
             .filter(|near| is_place(near.at, near.distance, self.accuracy))
             .max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
         Some(farthest.at)
+    }
+
+    /// The parameters at which the curves are nearest to each other, from some places; `None` if they are farther than the
+    /// accuracy, and that is certain.
+    #[inline]
+    fn nearest(&self, near: &[Near], best: &Near, around: [[f64; 2]; 2]) -> Option<[f64; 2]> {
+        let [a, b] = &self.curves;
+        let (mut at, mut least) = approach(a, b, best.at, around);
+        if least <= self.accuracy {
+            return Some(at);
+        }
+        let mut starts: Vec<&Near> = near.iter().collect();
+        starts.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        for start in starts.into_iter().take(STARTS) {
+            let (next, distance) = approach(a, b, start.at, around);
+            if distance < least {
+                (at, least) = (next, distance);
+            }
+        }
+        let undecided = near.iter().any(|near| !near.decided);
+        (least <= self.accuracy || undecided).then_some(at)
     }
 
     /// How far the first curve goes away from its point at one end of an interval.
@@ -164,10 +184,17 @@ fn told_apart(mut crossings: Vec<Found>) -> Vec<Found> {
     let within = |f: &Found, at: [f64; 2]| {
         [f.first, f.second].iter().zip(at).all(|(side, t)| (side[0]..=side[1]).contains(&t))
     };
+    // They are near each other all the way between two neighbourhoods that touch.
+    let touch = |f: &Found, g: &Found| {
+        let sides = [[f.first, g.first], [f.second, g.second]];
+        sides.iter().all(|[a, b]| a[0] < a[1] && b[0] < b[1] && a[0] <= b[1] && b[0] <= a[1])
+    };
     let mut kept: Vec<Found> = Vec::with_capacity(crossings.len());
     while let Some(mut next) = crossings.pop() {
         // One that has grown may contain another one.
-        while let Some(k) = kept.iter().position(|f| within(f, next.at) || within(&next, f.at)) {
+        while let Some(k) =
+            kept.iter().position(|f| within(f, next.at) || within(&next, f.at) || touch(f, &next))
+        {
             let other = kept.swap_remove(k);
             for (side, [lo, hi]) in [(&mut next.first, other.first), (&mut next.second, other.second)] {
                 *side = [side[0].min(lo), side[1].max(hi)];

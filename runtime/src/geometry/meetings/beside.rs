@@ -17,6 +17,8 @@ pub(super) struct Near {
     pub(super) at: [f64; 2],
     /// How near those of the chords are.
     pub(super) distance: f64,
+    /// Whether the parts are as near as the accuracy there, and not only left of a search that has become too long.
+    pub(super) decided: bool,
 }
 
 /// A part that goes along its chord: no control point is farther from that than a distance, and none lies before the
@@ -131,7 +133,7 @@ pub(super) fn near(parts: [&Straight<'_>; 2], distance: f64) -> Option<Near> {
     }
     let intervals = [a.parameters(first), b.parameters(second)];
     let at = [(a, best.1[0]), (b, best.1[1])].map(|(side, along)| side.part.parameter(side.place(along)));
-    Some(Near { intervals, at, distance: best.0 })
+    Some(Near { intervals, at, distance: best.0, decided: true })
 }
 
 /// The smallest interval around two.
@@ -230,8 +232,26 @@ fn foot(part: &CurvePiece, point: &[f64], distance: f64) -> Option<f64> {
     None
 }
 
+/// The place of a part that goes on in one direction at which it is nearest to a point, by steps of Gauss and Newton.
 #[inline]
-fn values(part: &CurvePiece, x: f64) -> Vec<f64> {
+pub(super) fn nearest_inside(part: &CurvePiece, point: &[f64]) -> f64 {
+    let (start, end) = (values(part, 0.0), values(part, 1.0));
+    let chord = difference(&end, &start);
+    let along = dot(&difference(point, &start), &chord) / dot(&chord, &chord);
+    let mut x = if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.5 };
+    for _ in 0..12 {
+        let (away, slope) = (difference(point, &values(part, x)), slopes(part, x));
+        let next = (x + dot(&away, &slope) / dot(&slope, &slope)).clamp(0.0, 1.0);
+        if next.is_nan() || (next - x).abs() <= 2.0 * f64::EPSILON {
+            break;
+        }
+        x = next;
+    }
+    x
+}
+
+#[inline]
+pub(super) fn values(part: &CurvePiece, x: f64) -> Vec<f64> {
     (0..part.dimension()).map(|d| part.value(d, x)).collect()
 }
 

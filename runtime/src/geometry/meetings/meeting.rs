@@ -11,6 +11,8 @@ use crate::{CurvePiece, CurveVector, ParametricCurve};
 use crate::{Point, Scalar};
 
 /// A place at which two curves meet, or a curve meets itself.
+///
+/// An interval of a closed curve that runs through its end begins at a larger parameter than it ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]

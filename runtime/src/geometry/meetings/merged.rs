@@ -55,6 +55,34 @@ pub(super) fn groups(boxes: &[Box2], gaps: [f64; 2]) -> Vec<usize> {
     group
 }
 
+/// The pairs of boxes that are no farther from each other than a distance, the smaller index first, of those that are
+/// asked for; in their order. Boxes are compared in the order of their first sides.
+#[inline]
+pub(super) fn beside(
+    boxes: &[Vec<[f64; 2]>],
+    distance: f64,
+    asked: impl Fn(usize, usize) -> bool,
+) -> Vec<[usize; 2]> {
+    let start = |k: usize| boxes[k].first().map_or(0.0, |side| side[0]);
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_unstable_by(|&i, &j| start(i).total_cmp(&start(j)));
+    let mut found = Vec::new();
+    let mut open: Vec<usize> = Vec::new();
+    for i in order {
+        open.retain(|&j| boxes[j].first().is_none_or(|side| side[1] + distance >= start(i)));
+        for &j in &open {
+            let apart = |([a, b], [c, d]): (&[f64; 2], &[f64; 2])| (a - d).max(c - b) > distance;
+            let [k, n] = [i.min(j), i.max(j)];
+            if asked(k, n) && !boxes[i].iter().zip(&boxes[j]).any(apart) {
+                found.push([k, n]);
+            }
+        }
+        open.push(i);
+    }
+    found.sort_unstable();
+    found
+}
+
 /// The box that stands for a group, which shortens the way to it.
 #[inline]
 fn root(group: &mut [usize], mut i: usize) -> usize {

@@ -6,17 +6,22 @@
 //! most one zero, and all places with `|F| <= d` lie within `q/2 + d |M|` of the place to which Newton's step leads from
 //! the middle (the operator of Krawczyk): if that is outside of both parts there is none; otherwise Newton's method
 //! finds the zero. All others are halved, until control points show that they are one curve, or that both go along
-//! their chords: then the intervals in which the chords are beside each other are known. So nothing is left out.
+//! their chords: then the intervals in which the chords are beside each other are known. Parts that run along each other
+//! for long are not halved but compared as functions of one parameter (`along`). So nothing is left out. A search that
+//! becomes too long nevertheless goes on with twice the accuracy, and so on; what it finds then is an answer also where
+//! the curves are not known to be as near as was asked for.
 //!
-//! Intervals that touch each other are one answer, and what is beside a crossing belongs to it. The parts between two
+//! Intervals that touch each other, also through the end of a closed curve, are one answer, and what is beside a crossing belongs to it. The parts between two
 //! places of one curve say whether these are places at which it meets itself: not if it goes on in one direction between
 //! them, or no farther than twice the accuracy.
+mod along;
 mod answers;
 mod beside;
 mod clipping;
 mod line;
 pub(super) mod meeting;
 mod merged;
+mod seam;
 mod search;
 mod single;
 pub(super) mod surface_meeting;
@@ -70,18 +75,14 @@ pub(crate) fn meetings(
     if let ([first], [second]) = (a, b) {
         search.between(first, second, view);
         search.run();
-        return Some(search.answers(a, b, accuracy, view));
+        return Some(seam::joined(search.answers(a, b, accuracy, view), [a, b], view, accuracy));
     }
-    let boxes = [a, b].map(|pieces| pieces.iter().map(|piece| bounds(piece, view)).collect::<Vec<_>>());
-    for (first, near) in a.iter().zip(&boxes[0]) {
-        for (second, other) in b.iter().zip(&boxes[1]) {
-            if !near.iter().zip(other).any(|([a, b], [c, d])| (a - d).max(c - b) > accuracy) {
-                search.between(first, second, view);
-            }
-        }
+    let boxes: Vec<Vec<[f64; 2]>> = a.iter().chain(b).map(|piece| bounds(piece, view)).collect();
+    for [k, n] in merged::beside(&boxes, accuracy, |k, n| k < a.len() && n >= a.len()) {
+        search.between(&a[k], &b[n - a.len()], view);
     }
     search.run();
-    Some(search.answers(a, b, accuracy, view))
+    Some(seam::joined(search.answers(a, b, accuracy, view), [a, b], view, accuracy))
 }
 
 /// All places at which a curve meets itself, the smaller parameter first, but for the one at which a closed curve ends
@@ -97,9 +98,10 @@ pub(crate) fn self_meetings(a: &[CurvePiece], accuracy: f64, epsilon: f64) -> Op
         if let Some(second) = seen.get(k + 1) {
             search.open.push(Pair { first: first.clone(), second: second.clone() });
         }
-        for n in k + 2..seen.len() {
-            search.between(&a[k], &a[n], view);
-        }
+    }
+    let boxes: Vec<Vec<[f64; 2]>> = a.iter().map(|piece| bounds(piece, view)).collect();
+    for [k, n] in merged::beside(&boxes, accuracy, |k, n| n >= k + 2) {
+        search.between(&a[k], &a[n], view);
     }
     search.run();
     let mut found = search.answers(a, a, accuracy, view);

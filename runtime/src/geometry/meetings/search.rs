@@ -3,6 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use super::along::along;
 use super::answers::Answers;
 use super::beside::{self, Near, Straight, dot};
 use super::clipping::{self, View};
@@ -10,7 +11,8 @@ use super::single::{Pair, Single, at_most_one, is_forward};
 use super::{Found, MeetingKind, line, merged};
 use crate::{CurvePiece, Scalar};
 
-/// After this number of pairs of parts, those that are left are compared in twice the accuracy, and so on.
+/// After this number of pairs of parts, those that are left are compared in twice the accuracy, and so on: what is near
+/// each other then is an answer that is not decided.
 const WORK: usize = 40_000;
 
 /// What straight parts may be away from their chords, in the unit of the accuracy.
@@ -18,6 +20,8 @@ const STRAIGHT: f64 = 0.125;
 
 pub(super) struct Search<'a> {
     accuracy: f64,
+    /// Whether this is still the accuracy that was asked for.
+    decided: bool,
     /// The pieces of the curve that is asked for places at which it meets itself; nothing if there are two curves.
     pub(super) own: &'a [CurvePiece],
     pub(super) open: Vec<Pair>,
@@ -29,7 +33,7 @@ pub(super) struct Search<'a> {
 impl Search<'_> {
     #[inline]
     pub(super) fn new(accuracy: f64) -> Self {
-        Self { accuracy, own: &[], open: Vec::new(), crossings: Vec::new(), near: Vec::new() }
+        Self { accuracy, decided: true, own: &[], open: Vec::new(), crossings: Vec::new(), near: Vec::new() }
     }
 
     /// Two pieces, first by clipping; what that leaves is open.
@@ -58,7 +62,7 @@ impl Search<'_> {
         self.crossings.extend(outcome.crossings.into_iter().map(parameters));
         self.near.extend(outcome.near.into_iter().map(|[x, y]| {
             let intervals = [x.map(|x| first.parameter(x)), y.map(|y| second.parameter(y))];
-            Near { intervals, at: intervals.map(|[lo, hi]| 0.5 * (lo + hi)), distance: 0.0 }
+            Near { intervals, at: intervals.map(|[lo, hi]| 0.5 * (lo + hi)), distance: 0.0, decided: true }
         }));
     }
 
@@ -85,7 +89,7 @@ impl Search<'_> {
         while let Some(pair) = self.open.pop() {
             work += 1;
             if work > WORK {
-                (work, self.accuracy) = (WORK / 2, 2.0 * self.accuracy);
+                (work, self.accuracy, self.decided) = (WORK / 2, 2.0 * self.accuracy, false);
             }
             if self.is_apart(&pair) || self.is_one_way(&pair) {
                 continue;
@@ -101,11 +105,12 @@ impl Search<'_> {
             let straight =
                 [&pair.first, &pair.second].map(|part| Straight::of(part, STRAIGHT * self.accuracy));
             if let [Some(first), Some(second)] = &straight {
-                self.near.extend(beside::near([first, second], (1.0 + 2.0 * STRAIGHT) * self.accuracy));
+                let near = beside::near([first, second], (1.0 + 2.0 * STRAIGHT) * self.accuracy);
+                self.near.extend(near.map(|near| Near { decided: self.decided, ..near }));
                 continue;
             }
             let straight = straight.map(|part| part.is_some());
-            if self.is_alike(&pair) {
+            if self.is_alike(&pair) || self.is_along(&pair) {
                 continue;
             }
             // What is not straight is divided first, then what is longer.
@@ -115,7 +120,12 @@ impl Search<'_> {
             let halves = if first { a.split(0.5) } else { b.split(0.5) };
             if halves.iter().any(|half| half.domain()[0] >= half.domain()[1]) {
                 let intervals = [a.domain(), b.domain()];
-                self.near.push(Near { intervals, at: intervals.map(|[lo, _]| lo), distance: self.accuracy });
+                self.near.push(Near {
+                    intervals,
+                    at: intervals.map(|[lo, _]| lo),
+                    distance: self.accuracy,
+                    decided: false,
+                });
                 continue;
             }
             for half in halves {
@@ -140,7 +150,7 @@ impl Search<'_> {
         let at = [x, y].map(|[a, b]| 0.5 * (a + b));
         let at = [first.parameter(at[0]), second.parameter(at[1])];
         let ordered = intervals.map(|[a, b]| [a.min(b), a.max(b)]);
-        self.near.push(Near { intervals: ordered, at, distance: 0.0 });
+        self.near.push(Near { intervals: ordered, at, distance: 0.0, decided: self.decided });
         let sides = |part: &CurvePiece, [a, b]: [f64; 2]| {
             let (lo, hi) = (a.min(b), a.max(b));
             let side =
@@ -154,6 +164,15 @@ impl Search<'_> {
         for side in sides(second, y).into_iter().flatten() {
             self.open.push(Pair { first: middle.clone(), second: side });
         }
+        true
+    }
+
+    /// Whether parts run along each other, so that all is known of them.
+    #[inline]
+    fn is_along(&mut self, pair: &Pair) -> bool {
+        let Some(known) = along(&pair.first, &pair.second, self.accuracy) else { return false };
+        self.near.extend(known.near.into_iter().map(|near| Near { decided: self.decided, ..near }));
+        self.crossings.extend(known.crossings);
         true
     }
 
@@ -172,7 +191,10 @@ impl Search<'_> {
                 piece.restricted(piece.place(from.max(lo)), piece.place(to.min(hi)))
             })
         };
-        !self.own.is_empty() && self.goes_on(&self.own.iter().filter_map(part).collect::<Vec<_>>())
+        let start = self.own.partition_point(|piece| piece.domain()[1] <= from);
+        let end = self.own.partition_point(|piece| piece.domain()[0] < to);
+        let between = self.own.get(start..end).unwrap_or_default();
+        !self.own.is_empty() && self.goes_on(&between.iter().filter_map(part).collect::<Vec<_>>())
     }
 
     /// Whether consecutive parts go on in one direction, or no farther than twice the accuracy.

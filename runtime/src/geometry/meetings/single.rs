@@ -95,11 +95,11 @@ fn derivatives(first: &CurvePiece, second: &CurvePiece) -> [Vec<Vec<f64>>; 2] {
     ]
 }
 
-/// The control vectors of a curve in the direction of the velocity.
+/// The coefficients of each component of a curve in the direction of the velocity: the derivative, of a rational part
+/// its numerator.
 #[inline]
-fn velocities(part: &CurvePiece) -> Vec<Vec<f64>> {
-    let dim = part.dimension();
-    let lists: Vec<Vec<f64>> = (0..dim)
+pub(super) fn velocity_lists(part: &CurvePiece) -> Vec<Vec<f64>> {
+    (0..part.dimension())
         .map(|d| match part.weights() {
             None => derivative(part.component(d)),
             Some(weights) => {
@@ -110,7 +110,13 @@ fn velocities(part: &CurvePiece) -> Vec<Vec<f64>> {
                 slope
             }
         })
-        .collect();
+        .collect()
+}
+
+/// The control vectors of a curve in the direction of the velocity.
+#[inline]
+fn velocities(part: &CurvePiece) -> Vec<Vec<f64>> {
+    let lists = velocity_lists(part);
     let count = lists.first().map_or(0, Vec::len);
     (0..count).map(|i| lists.iter().map(|list| list[i]).collect()).collect()
 }

@@ -128,7 +128,10 @@ impl Parallel {
                     let whole =
                         |segment: PathSegment<V>| Part { segment: segment.map(moved), reversed, least };
                     count += 1;
-                    if broken {
+                    // A curve that turns back just here, at a zero of its velocity.
+                    let turned =
+                        stretches.last().is_some_and(|s| dot(s.ends[1].tangent, ends[0].tangent) < 0.0);
+                    if broken || turned {
                         stretches.push(Stretch { parts: Vec::new(), ends });
                         broken = false;
                     }

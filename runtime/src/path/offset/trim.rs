@@ -1,14 +1,15 @@
 //! Parallel curves without what is nearer to the curve than the distance.
 //!
-//! All parts between places at which the parallel curve meets itself, or turns round at a cusp or an inner corner, or is as far
-//! from an end of the curve as it should be, are as a whole far enough from the curve, or not. Those that are, are put
-//! together again.
+//! All parts between places at which the parallel curve meets itself, or turns round at a cusp or an inner corner, or
+//! begins or ends a long arc around a corner, or is as far from an end of the curve as it should be, are as a whole far
+//! enough from the curve, or not. Those that are, are put together again. A loop between the sides of an inner corner or
+//! a cusp, which runs in the other direction, is left out by its direction: it may be nearer by less than the tolerance.
 
 use alloc::vec::Vec;
 
 use super::super::{Path, PathSegment};
 use super::outline::circle;
-use super::parallel::{Part, V, length, plus};
+use super::parallel::{Part, V, length, plus, wedge};
 use crate::geometry::{meetings, nearest_place, self_meetings};
 use crate::{CurvePiece, ParametricCurve};
 
@@ -29,6 +30,12 @@ pub(super) struct Trim<'a> {
     pub(super) distance: f64,
     pub(super) tolerance: f64,
 }
+
+/// The parameters at which a raw curve is cut, and intervals of loops that do not stay.
+type Cuts = (Vec<f64>, Vec<[f64; 2]>);
+
+/// Loops that are longer, in the unit of the distance, are judged by their distance from the curve alone.
+const SHORT: f64 = 8.0;
 
 /// A part of a raw curve that stays.
 struct Kept {
@@ -57,32 +64,35 @@ impl Trim<'_> {
             .collect();
         let cuts = self.cuts(&raws, &pieces);
         let mut kept: Vec<Kept> = Vec::new();
-        for (raw, cuts) in raws.iter().zip(cuts) {
-            self.keep(raw, cuts, noise, &mut kept);
+        for (raw, (cuts, loops)) in raws.iter().zip(cuts) {
+            self.keep(raw, cuts, &loops, noise, &mut kept);
         }
         chains(&kept, 4.0 * self.tolerance + noise)
     }
 
-    /// The parameters at which each raw curve is cut, in increasing order.
-    fn cuts(&self, raws: &[Raw], pieces: &[Vec<CurvePiece>]) -> Vec<Vec<f64>> {
+    /// The parameters at which each raw curve is cut, in increasing order, and its loops at corners.
+    fn cuts(&self, raws: &[Raw], pieces: &[Vec<CurvePiece>]) -> Vec<Cuts> {
         let accuracy = 0.01 * self.tolerance;
         let mut barriers: Vec<CurvePiece> = Vec::new();
         for part in self.barriers.iter().flatten().filter(|part| !part.reversed) {
             barriers.push(part.segment.to_piece([0.0, 1.0]));
         }
         barriers.extend(self.ends.iter().flat_map(|&end| circle(end, self.distance.abs())));
-        let mut cuts: Vec<Vec<f64>> = Vec::new();
+        let mut cuts: Vec<Cuts> = Vec::new();
         for (i, (raw, own)) in raws.iter().zip(pieces).enumerate() {
-            let mut list = Vec::new();
-            for k in 1..raw.parts.len() {
-                if raw.parts[k].reversed != raw.parts[k - 1].reversed {
-                    list.push(k as f64);
+            let (mut list, mut loops) = (Vec::new(), Vec::new());
+            for (k, pair) in raw.parts.windows(2).enumerate() {
+                if pair[0].reversed != pair[1].reversed
+                    || self.is_long_arc(&pair[0]) != self.is_long_arc(&pair[1])
+                {
+                    list.push((k + 1) as f64);
                 }
             }
             for found in self_meetings(own, accuracy, f64::EPSILON).unwrap_or_default() {
                 list.extend(found.at);
                 list.extend(found.first);
                 list.extend(found.second);
+                loops.extend(self.loop_of(raw, found.at));
             }
             // All others at once: the work of a search is bounded.
             let mut others = barriers.clone();
@@ -92,17 +102,46 @@ impl Trim<'_> {
                 list.push(found.at[0]);
                 list.extend(found.first);
             }
-            cuts.push(list);
-        }
-        for list in &mut cuts {
             list.sort_by(f64::total_cmp);
             list.dedup_by(|b, a| *b - *a <= 1e-9);
+            cuts.push((list, loops));
         }
         cuts
     }
 
+    /// The short loop of a raw curve between two parameters of a place at which it meets itself, if it is one that the
+    /// sides of an inner corner or of a cusp make: it runs backwards somewhere, and around what is inside in the other
+    /// direction than the curve. Such a loop is nearer to the curve than the distance, perhaps by less than the tolerance.
+    fn loop_of(&self, raw: &Raw, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
+        let count = raw.parts.len() as f64;
+        let around = raw.closed.then_some([to, from + count]);
+        core::iter::once([from, to]).chain(around).find(|&ends| self.is_backwards(raw, ends))
+    }
+
+    fn is_backwards(&self, raw: &Raw, [from, to]: [f64; 2]) -> bool {
+        let part = |k: usize| &raw.parts[k % raw.parts.len()];
+        let (start, end) = (from as usize, to as usize);
+        let at = |k: usize, x: f64| part(k).segment.eval(x);
+        let first = at(start, from - start as f64);
+        let (mut last, mut area, mut size, mut reversed) = (first, 0.0, 0.0, false);
+        for k in start..=end {
+            let (lo, hi) = (if k == start { from - k as f64 } else { 0.0 }, (to - k as f64).min(1.0));
+            reversed |= part(k).reversed && lo < hi;
+            for i in 1..=4 {
+                let next = at(k, lo + (hi - lo) * f64::from(i) / 4.0);
+                area += wedge(plus(last, first, -1.0), plus(next, first, -1.0));
+                size += length(plus(next, last, -1.0));
+                last = next;
+            }
+            if size > SHORT * self.distance.abs() {
+                return false;
+            }
+        }
+        reversed && area * self.distance < 0.0
+    }
+
     /// Adds the parts of a raw curve that stay, in its order.
-    fn keep(&self, raw: &Raw, mut cuts: Vec<f64>, noise: f64, kept: &mut Vec<Kept>) {
+    fn keep(&self, raw: &Raw, mut cuts: Vec<f64>, loops: &[[f64; 2]], noise: f64, kept: &mut Vec<Kept>) {
         let count = raw.parts.len() as f64;
         let segments: Vec<PathSegment<V>> = raw.parts.iter().map(|part| part.segment.clone()).collect();
         let Ok(path) = Path::new(segments) else { return };
@@ -124,7 +163,19 @@ impl Trim<'_> {
                 let t = ends[0] + (ends[1] - ends[0]) * x;
                 if t > count { t - count } else { t }
             };
-            let stays = [0.25, 0.5, 0.75].iter().all(|&x| self.is_far_enough(raw, &path, at(x), noise));
+            let middle = 0.5 * (ends[0] + ends[1]);
+            let within = |&[from, to]: &[f64; 2]| {
+                [middle, middle - count, middle + count].iter().any(|&t| from < t && t < to)
+            };
+            let (k, _) = path.locate(at(0.5));
+            // No place of an arc at a cusp is known at which it comes too near to the sides.
+            let samples: &[f64] = if self.is_long_arc(&raw.parts[k]) {
+                &[0.02, 0.25, 0.5, 0.75, 0.98]
+            } else {
+                &[0.25, 0.5, 0.75]
+            };
+            let stays = !loops.iter().any(within)
+                && samples.iter().all(|&x| self.is_far_enough(raw, &path, at(x), noise));
             if !stays {
                 last_stays = false;
             } else if let Some(part) = part_of(&path, ends[0], ends[1], count, noise) {
@@ -135,6 +186,12 @@ impl Trim<'_> {
                 last_stays = true;
             }
         }
+    }
+
+    /// Whether a part is a quarter of a circle or nearly so, where the curve turns back.
+    fn is_long_arc(&self, part: &Part) -> bool {
+        let chord = plus(part.segment.end(), part.segment.start(), -1.0);
+        part.segment.weights().is_some() && length(chord) > self.distance.abs()
     }
 
     /// Whether a point of a raw curve is as far from the curve as it should be.

@@ -137,7 +137,9 @@ fn extent<const D: usize>(curve: &Points<D>, [lo, hi]: [f64; 2]) -> f64 {
 }
 
 pub fn covers<const D: usize>(meeting: &Meeting<[f64; D]>, at: [f64; 2], gap: f64) -> bool {
-    let within = |[lo, hi]: [f64; 2], t: f64| t >= lo - gap && t <= hi + gap;
+    let within = |[lo, hi]: [f64; 2], t: f64| {
+        if lo > hi { t >= lo - gap || t <= hi + gap } else { t >= lo - gap && t <= hi + gap }
+    };
     within(meeting.first, at[0]) && within(meeting.second, at[1])
 }
 
@@ -166,7 +168,9 @@ pub fn judge<const D: usize>(
         if !covers(meeting, meeting.at, 0.0) || asked == Asked::Itself && meeting.at[0] >= meeting.at[1] {
             return Err(format!("not in order: {meeting:?}"));
         }
-        if meeting.first[0] < meeting.first[1] || meeting.second[0] < meeting.second[1] {
+        let sides = [meeting.first, meeting.second];
+        let through_an_end = sides.iter().any(|[lo, hi]| lo > hi);
+        if !through_an_end && sides.iter().any(|[lo, hi]| lo < hi) {
             let apart = apart(&case.curves, meeting.first, meeting.second, about);
             if apart > about {
                 return Err(format!("apart, {apart:e}: {meeting:?}"));
