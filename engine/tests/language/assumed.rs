@@ -382,3 +382,29 @@ fn long_chains() {
     );
     assert_eq!(self::refuted(&spec).len(), 2);
 }
+
+/// A part that is ≥ 0 by itself, and another one that is not larger where an assumption holds.
+#[test]
+fn parts_that_are_larger_than_others() {
+    let found = verdicts(
+        "theorem Discriminant {
+            scalar 0 <= a, 0 <= c, b, 0 <= t <= 1;
+            assume b^2 <= 4*a*c;
+            prove a + b + c >= 0;
+            prove a - b + c >= 0;
+            prove a*t^2 + b*t + c >= 0;
+            refute a + 21/10*b + c >= 0;
+        }
+        family Disk {
+            domain 0 <= t <= 1;
+            shape α, β;
+            assume α^2 + β^2 <= 1;
+            b[0] = 1 + t^2 + α*(1 - t^2) + 2*β*t;
+            prove nonnegative;
+            refute b[0] >= t/100;
+        }",
+    );
+    // Families come first.
+    assert_eq!([&found[0], &found[2], &found[3], &found[4]], ["="; 4], "{found:?}");
+    assert!(found[1].contains(" at ") && found[5].contains(" at "), "{found:?}");
+}

@@ -5,7 +5,7 @@
 //!
 //! Where g is a polynomial in one variable, f = q·g + r by division, and q ≥ 0 and r ≥ 0 are enough.
 //!
-//! Of lower degree than g, f = P − N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then.
+//! Of hardly higher degree than g, f = P + N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then; m may be P².
 //!
 //! The premise is then no longer needed: f − c·m·g ≥ 0 is said of the whole box. The number c has to satisfy
 //! c·m·g ≤ f at all points; what some points say of it leaves an interval, from which it is chosen. That it is right is for
@@ -21,7 +21,7 @@ use basis_prover::collections::list::Listed;
 use std::rc::Rc;
 
 use crate::algebra::divisors::factor::checked_factor;
-use crate::algebra::poly::{Poly, PolyExt as _, Var};
+use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_within;
@@ -252,27 +252,48 @@ impl Sign<'_> {
         (sign > 0).then_some(all)
     }
 
-    /// For P − N, the parts with positive and with negative coefficients: that P ≥ 0, and that P² − N² has the sign.
+    /// For P + N, where P ≥ 0: that P² − N² has the sign.
     fn squared(&self) -> Option<Vec<Statement>> {
         let Quotient { numerator, denominator } = &self.value;
         let degree = self.domain.premises.iter().map(|(g, _)| g.total_degree()).max()?;
-        if !denominator.is_one() || numerator.total_degree() >= degree || numerator.len() > MAX_SQUARED {
+        if !denominator.is_one() || numerator.total_degree() > degree + 1 || numerator.len() > MAX_SQUARED {
             return None;
         }
-        let part = |sign: i32| {
-            let own = numerator.terms().filter(|(_, c)| c.signum() == sign);
+        // Terms that are ≥ 0, or those with positive coefficients.
+        let positive = |_: &Monomial, c: &Rational| c.is_positive();
+        let ranges = ranges(self.domain);
+        let is_nonnegative = |var: &Var| {
+            let range = ranges.iter().find(|(v, _)| v == var);
+            range.is_some_and(|(_, r)| r.low.value().is_some_and(|low| !low.is_negative()))
+        };
+        let nonnegative = |m: &Monomial, c: &Rational| {
+            let odd = |var: &Var| m.exponent(*var) % 2 == 1;
+            c.is_positive() && numerator.variables().iter().filter(|v| odd(v)).all(is_nonnegative)
+        };
+        self.squared_from(&nonnegative).or_else(|| self.squared_from(&positive))
+    }
+
+    /// The same where P consists of some terms.
+    fn squared_from(&self, is_above: &dyn Fn(&Monomial, &Rational) -> bool) -> Option<Vec<Statement>> {
+        let part = |wanted: bool| {
+            let own = self.value.numerator.terms().filter(|(m, c)| is_above(m, c) == wanted);
             Poly::from_terms(own.map(|(m, c)| (m.clone(), c.clone())))
         };
-        let (above, below) = (part(1), part(-1));
-        if above.is_zero() {
+        let (above, below) = (part(true), part(false));
+        if above.is_zero() || below.is_zero() {
             return None;
         }
-        let value = Quotient::from(&above.pow(2) - &below.pow(2));
+        let square = above.pow(2);
+        let value = Quotient::from(&square - &below.pow(2));
         let sign = Sign { value, relation: self.relation, domain: self.domain };
         let seen = Seen::new(&sign.value, self.domain)?;
         let domain = without_premises(self.domain);
         let first = Statement::Sign { value: above.into(), relation: Relation::NonNegative, domain };
-        let rest = if seen.fails(sign.relation) { sign.by_number(&seen)? } else { vec![sign.plain()] };
+        let rest = if seen.fails(sign.relation) {
+            sign.by_number_times(&seen, Some(&square))?
+        } else {
+            vec![sign.plain()]
+        };
         Some([vec![first], rest].concat())
     }
 
@@ -313,6 +334,11 @@ impl Sign<'_> {
 
     /// With a number times a premise taken away, and times something that is ≥ 0.
     fn by_number(&self, seen: &Seen) -> Option<Vec<Statement>> {
+        self.by_number_times(seen, None)
+    }
+
+    /// The same, also times a square.
+    fn by_number_times(&self, seen: &Seen, square: Option<&Poly>) -> Option<Vec<Statement>> {
         let Self { value, relation, domain } = self;
         let Seen { points, .. } = seen;
         let one = Poly::one();
@@ -326,7 +352,7 @@ impl Sign<'_> {
             let alone = (*relation == Relation::Positive).then(Poly::one);
             let all = factors(&value.numerator, g, domain);
             let alone = alone.filter(|one| !all.contains(one));
-            for factor in alone.into_iter().chain(all) {
+            for factor in alone.into_iter().chain(all).chain(square.cloned()) {
                 let product = &factor * g;
                 // Over the denominator of the value, too, or over the part of it in the variables of the premise.
                 let part = of_variables(below, g).filter(|part| part != below);
