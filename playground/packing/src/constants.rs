@@ -29,11 +29,13 @@ impl<B: Bytes> Walk<'_, B> {
         if !(1..=5).contains(&length) {
             return Err(Damaged);
         }
+        self.after(length as u8);
         let mut before = length as u32;
         for k in (0..length).rev() {
             let contexts = [o2, at2, both(self.function, 1)].map(|c| both(before, c));
             bytes[k] = self.byte(NUMBER + length - 1, contexts, bytes[k]);
             before = both(before, u32::from(bytes[k]));
+            self.after(bytes[k]);
         }
         if B::READS {
             bytes[..length].iter().for_each(|&byte| self.tape.put(byte));
@@ -52,6 +54,7 @@ impl<B: Bytes> Walk<'_, B> {
         let contexts = [at2, c1, self.function];
         let high = self.byte(CALL_HIGH, contexts, high);
         let contexts = contexts.map(|c| both(u32::from(high), c));
+        self.after(high);
         let called = u32::from(high) << 7 | u32::from(self.byte(CALL_LOW, contexts, known as u8 & 127) & 127);
         if B::READS {
             self.tape.put_number(called);

@@ -50,7 +50,7 @@ struct Census(Vec<[u32; 256]>);
 impl Bytes for Census {
     const READS: bool = false;
 
-    fn byte<const N: usize>(&mut self, kind: usize, _: [u32; N], _: usize, known: u8) -> u8 {
+    fn byte<const N: usize>(&mut self, kind: usize, _: [u32; N], _: usize, _: u8, known: u8) -> u8 {
         self.0[kind][usize::from(known)] += 1;
         known
     }

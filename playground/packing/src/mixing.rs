@@ -1,8 +1,8 @@
 //! Bytes one after the other, each coded by what is expected of it.
 //!
-//! Several contexts give a probability for every binary decision; two sets of weights, which learn as they go, mix them
-//! in the logistic domain, and an arithmetic coder writes what remains. The scheme is that of the PAQ family,
-//! <https://mattmahoney.net/dc/dce.html#Section_43>.
+//! Several contexts give a probability for every binary decision. They are mixed in the logistic domain by weights that
+//! learn as they go, each the sum of three that are chosen in different ways, and an arithmetic coder writes what remains.
+//! The scheme is that of the PAQ family, <https://mattmahoney.net/dc/dce.html#Section_43>.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -24,34 +24,45 @@ const COUNT: u32 = 0x3f;
 /// One half, never seen.
 const FRESH: u32 = 0x8000_0000;
 const LIMIT: u32 = 24;
-/// Counts with weights of their own.
-const STEPS: usize = 16;
 /// How far weights move.
-const LEARN: f32 = 0.022;
+const LEARN: f32 = 0.004;
 /// Weights at first.
-const WEIGHT: f32 = 0.35;
+const WEIGHT: f32 = 0.12;
 
 /// The logistic function is tabled between -`SPAN` and `SPAN`.
 const SPAN: f32 = 12.0;
 const TABLE: usize = 4096;
 
-/// Where the weights of a context in a slot seen n times are, from those of the context on.
-const fn step(n: usize) -> u8 {
+/// How much a probability counts that was seen n times: at first it says more than it knows, unseen nothing.
+const fn confidence(n: usize) -> f32 {
     match n {
-        0..8 => n as u8,
-        8..12 => 8,
-        12..18 => 9,
-        _ => 10,
+        0 => 0.0,
+        1 => 1.4,
+        2 => 1.3,
+        3..5 => 1.2,
+        5..8 => 1.1,
+        _ => 1.0,
     }
 }
+
+/// A weight for each context.
+type Weights = [f32; CONTEXTS];
 
 /// What bytes are read from, written to or counted by.
 pub(crate) trait Bytes {
     /// Whether bytes are read rather than known.
     const READS: bool;
 
-    /// A byte of a kind in contexts, with how sure the longest repetition is: the one that is read, or `known`.
-    fn byte<const N: usize>(&mut self, kind: usize, contexts: [u32; N], sure: usize, known: u8) -> u8;
+    /// A byte of a kind in contexts, with how sure the longest repetition is, and what came before: the one that is read, or
+    /// `known`.
+    fn byte<const N: usize>(
+        &mut self,
+        kind: usize,
+        contexts: [u32; N],
+        sure: usize,
+        before: u8,
+        known: u8,
+    ) -> u8;
 
     /// Fails where more was read than there was.
     fn check(&self) -> Result<(), Damaged> {
@@ -72,12 +83,13 @@ pub(crate) struct Mixer<C> {
     coder: C,
     trees: Vec<Tree>,
     slots: Vec<u32>,
-    by_node: Vec<f32>,
-    by_sure: Vec<f32>,
+    by_node: Vec<Weights>,
+    by_sure: Vec<Weights>,
+    by_before: Vec<Weights>,
     stretch: Vec<f32>,
     squash: Vec<f32>,
     rate: [i32; COUNT as usize + 1],
-    step: [u8; COUNT as usize + 1],
+    confidence: [f32; COUNT as usize + 1],
 }
 
 /// e^x by powers of a short series, with the same bits on every machine.
@@ -108,12 +120,13 @@ impl<C: Coder> Mixer<C> {
             coder,
             trees: Vec::new(),
             slots: vec![FRESH; 1 << BITS],
-            by_node: vec![WEIGHT; KINDS * 256 * CONTEXTS * STEPS],
-            by_sure: vec![WEIGHT; KINDS * SURE * CONTEXTS * STEPS],
+            by_node: vec![[WEIGHT; CONTEXTS]; KINDS * 256],
+            by_sure: vec![[WEIGHT; CONTEXTS]; KINDS * SURE],
+            by_before: vec![[WEIGHT; CONTEXTS]; KINDS * 256],
             stretch: stretch.collect(),
             squash: squash.collect(),
-            rate: core::array::from_fn(|n| (65535.0 / (n as f64 + 1.6)) as i32 >> 1),
-            step: core::array::from_fn(step),
+            rate: core::array::from_fn(|n| (65535.0 / (n as f64 + 1.5)) as i32 >> 1),
+            confidence: core::array::from_fn(confidence),
         }
     }
 
@@ -127,7 +140,7 @@ impl<C: Coder> Mixer<C> {
             for s in 0..256 {
                 let [a, b] = before.map(u32::from);
                 let contexts = [a, a + 16 * b + 256, kind as u32 + 512];
-                lengths[s] = self.byte(SHAPES, contexts, 0, known.map_or(0, |all| all[kind][s]));
+                lengths[s] = self.byte(SHAPES, contexts, 0, 0, known.map_or(0, |all| all[kind][s]));
                 before = [lengths[s], before[0]];
             }
             trees.push(tree::of(&lengths)?);
@@ -146,7 +159,14 @@ impl<C: Coder> Bytes for Mixer<C> {
     const READS: bool = C::READS;
 
     #[inline(never)] // once for each N
-    fn byte<const N: usize>(&mut self, kind: usize, contexts: [u32; N], sure: usize, known: u8) -> u8 {
+    fn byte<const N: usize>(
+        &mut self,
+        kind: usize,
+        contexts: [u32; N],
+        sure: usize,
+        before: u8,
+        known: u8,
+    ) -> u8 {
         let mut base = [0_usize; N];
         let mut owner = [0_u32; N];
         for i in 0..N {
@@ -163,42 +183,41 @@ impl<C: Coder> Bytes for Mixer<C> {
             let k = (x + SPAN) * (TABLE as f32 / (2.0 * SPAN));
             squash[(k.clamp(0.0, TABLE as f32) as usize).min(TABLE)]
         };
-        let by_sure: &mut [f32; CONTEXTS * STEPS] =
-            self.by_sure.as_chunks_mut().0.get_mut(kind * SURE + sure).expect("a set of weights");
+        let by_sure = self.by_sure.get_mut(kind * SURE + sure).expect("a set of weights");
+        let by_before = self.by_before.get_mut(kind * 256 + usize::from(before)).expect("a set of weights");
         let tree = &self.trees[kind];
         let mut left = tree.path[usize::from(known)];
         let mut node = 0;
         loop {
-            let by_node: &mut [f32; CONTEXTS * STEPS] =
-                self.by_node.as_chunks_mut().0.get_mut(kind * 256 + node).expect("a set of weights");
+            let by_node = self.by_node.get_mut(kind * 256 + node).expect("a set of weights");
             let mut place = [0; N];
             let mut seen = [0; N];
-            let mut weight = [0; N];
-            let mut stretched = [0.0; N];
-            let (mut dot1, mut dot2) = (0.0, 0.0);
+            let mut stretched = [0.0; CONTEXTS];
             for i in 0..N {
                 place[i] = ((base[i] ^ node & 15) + (node & !15)) & MASK;
                 let slot = slots[place[i]];
                 let slot = if slot & OWNER == owner[i] { slot } else { FRESH | owner[i] };
                 seen[i] = slot;
-                let x = stretch[(slot >> 20) as usize];
-                let w =
-                    (i * STEPS + usize::from(self.step[(slot & COUNT) as usize])) & (CONTEXTS * STEPS - 1);
-                stretched[i] = x;
-                weight[i] = w;
-                dot1 += by_node[w] * x;
-                dot2 += by_sure[w] * x;
+                stretched[i] = stretch[(slot >> 20) as usize] * self.confidence[(slot & COUNT) as usize];
             }
-            let p = (logistic((dot1 + dot2) * 0.5) * 65536.0) as u32;
+            // Four sums, which the processor adds up side by side.
+            let mut sums = [0.0_f32; 4];
+            for i in 0..CONTEXTS {
+                sums[i % 4] += (by_node[i] + by_sure[i] + by_before[i]) * stretched[i];
+            }
+            let expected = logistic((sums[0] + sums[1]) + (sums[2] + sums[3]));
+            let p = (expected * 65536.0) as u32;
             let bit = self.coder.decide(p.clamp(1, 65535), left & 1 == 1);
             left >>= 1;
-            let came = f32::from(u8::from(bit));
-            let error1 = (came - logistic(dot1)) * LEARN;
-            let error2 = (came - logistic(dot2)) * LEARN;
+            let error = (f32::from(u8::from(bit)) - expected) * LEARN;
+            for i in 0..CONTEXTS {
+                let change = error * stretched[i];
+                by_node[i] += change;
+                by_sure[i] += change;
+                by_before[i] += change;
+            }
             let goal = if bit { 65535 } else { 0 };
             for i in 0..N {
-                by_node[weight[i]] += error1 * stretched[i];
-                by_sure[weight[i]] += error2 * stretched[i];
                 let slot = seen[i];
                 let n = slot & COUNT;
                 let q = (slot >> 16) as i32;

@@ -45,6 +45,8 @@ pub(crate) struct Walk<'a, B> {
     pub(crate) call: u32,
     pub(crate) function: u32,
     depth: u32,
+    /// Further contexts of an instruction, and of what of it has been coded.
+    around: [u32; 2],
     /// The last offset from each variable.
     places: Vec<u32>,
 }
@@ -66,6 +68,7 @@ impl<'a, B: Bytes> Walk<'a, B> {
             call: 0,
             function: 0,
             depth: 0,
+            around: [0; 2],
             places: vec![0; 1 << 12],
         }
     }
@@ -74,10 +77,16 @@ impl<'a, B: Bytes> Walk<'a, B> {
         self.tape.into_written()
     }
 
-    /// A byte in the contexts that are given, and that of the longest repetition.
+    /// A byte in the contexts that are given, those around it, and that of the longest repetition.
     pub(crate) fn byte(&mut self, kind: usize, [a, b, c]: [u32; 3], known: u8) -> u8 {
-        let repetition = self.repetition.expected();
-        self.bytes.byte(kind, [a, b, c, repetition], self.repetition.sure(), known)
+        let [d, e] = self.around;
+        let contexts = [a, b, c, d, e, self.repetition.expected()];
+        self.bytes.byte(kind, contexts, self.repetition.sure(), self.operations[0] as u8, known)
+    }
+
+    /// Notes a byte of an instruction for those that belong to it.
+    pub(crate) fn after(&mut self, byte: u8) {
+        self.around = self.around.map(|c| both(c, u32::from(byte)));
     }
 
     /// A byte that goes over as it is.
@@ -102,6 +111,7 @@ impl<'a, B: Bytes> Walk<'a, B> {
                 return Ok(value as u32);
             }
             contexts = contexts.map(|c| both(c, u32::from(byte)));
+            self.after(byte);
         }
         Err(Damaged)
     }
@@ -157,7 +167,7 @@ impl<'a, B: Bytes> Walk<'a, B> {
                 self.repetition.expected(),
             ];
             let known = if B::READS { 0 } else { self.tape.next()? };
-            let byte = self.bytes.byte(kind, contexts, self.repetition.sure(), known);
+            let byte = self.bytes.byte(kind, contexts, self.repetition.sure(), last as u8, known);
             if B::READS {
                 self.tape.put(byte);
             }
@@ -237,9 +247,11 @@ impl<'a, B: Bytes> Walk<'a, B> {
         let h4 = both(h3, o4);
         let near = both(s1, s2);
         let contexts = [both(h4, both(o5, o6)), s1, near];
+        self.around = [h2, both(h3, s1)];
         let (sign, op) = self.operation(contexts)?;
         let sign = u32::from(sign);
         push(&mut self.operations, sign);
+        self.around = [both(both(sign, o1), both(o2, o3)), both(sign, both(s1, f))];
         // What follows is coded in contexts of this operation and those before it.
         let at2 = both(sign, o1);
         let at3 = both(at2, o2);
