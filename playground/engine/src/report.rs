@@ -1,5 +1,6 @@
 //! What is known of the open spec: its families and theorems, verdicts at statements, messages with places.
 
+use basis_engine::algebra::rational::ToFloat as _;
 use basis_engine::diagnostic::Place;
 use basis_engine::query::{self, Analysis, Statement};
 use basis_engine::state::as_declared;

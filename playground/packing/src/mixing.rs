@@ -23,9 +23,9 @@ const OWNER: u32 = 0xffc0;
 const COUNT: u32 = 0x3f;
 /// One half, never seen.
 const FRESH: u32 = 0x8000_0000;
-const LIMIT: u32 = 24;
+const LIMIT: u32 = 16;
 /// How far weights move.
-const LEARN: f32 = 0.004;
+const LEARN: f32 = 0.003;
 /// Weights at first.
 const WEIGHT: f32 = 0.12;
 
