@@ -413,7 +413,7 @@ fn exceptions(family: &Family) -> ExceptionalSet {
     set
 }
 
-/// Whether what is assumed is false where shape parameters have these values, whatever the others are.
+/// Whether a condition in which only these shape parameters occur is false at their values.
 fn is_ruled_out(family: &Family, values: &[(Var, Coordinate)]) -> bool {
     let put = |p: &Poly| {
         values.iter().fold(p.clone(), |p, (var, c)| match c {

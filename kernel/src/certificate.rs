@@ -63,11 +63,11 @@ pub enum SignProof {
         /// The sign of what is left.
         rest: Box<Signed>,
     },
-    /// p = Σ c·f² + r with numbers c > 0.
+    /// p = Σ c·f² + r with numbers c > 0, and r ≥ 0 (> 0).
     Squares {
         /// The numbers c, each with its f.
         squares: Vec<(Rational, Poly)>,
-        /// For r: r ≥ 0, or r > 0 where p > 0 is claimed.
+        /// For r.
         rest: Box<Self>,
     },
     /// p > 0 on each of the relatively open faces of the box that belong to it.

@@ -36,20 +36,19 @@ impl Counterexample {
         Some(Self { point, exact, ..self.clone() })
     }
 
-    /// The value that is not as claimed, or where it is irrational a number next to it, with its sign; and whether it is the
-    /// value itself.
-    pub fn value(&self) -> (Rational, bool) {
+    /// The value that is not as claimed, or where it is irrational a number next to it, with its sign; and whether it is
+    /// the value itself. `None` where there is no value, or the work is spent.
+    pub fn value(&self) -> Option<(Rational, bool)> {
         if let Some(value) = self.refutation.value() {
-            return (value.clone(), true);
+            return Some((value.clone(), true));
         }
         let (Statement::Zero { value, .. } | Statement::Sign { value, .. }) = self.refutation.statement()
         else {
-            return (Rational::ZERO, true);
+            return None;
         };
-        match self.evaluate(value) {
-            Some(Coordinate::Rational(x)) => (x, true),
-            Some(Coordinate::Algebraic(x)) => next_to(x).map_or((Rational::ZERO, false), |x| (x, false)),
-            None => (Rational::ZERO, false),
+        match self.evaluate(value)? {
+            Coordinate::Rational(x) => Some((x, true)),
+            Coordinate::Algebraic(x) => next_to(x).map(|x| (x, false)),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The verdicts as JSON.
 
+use basis_engine::algebra::rational;
 use basis_engine::state::point_text;
 use basis_engine::{Diagnostic, Severity, Verdict, Witness};
 use serde::Serialize;
@@ -125,7 +126,15 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
 }
 
 fn counterexample(witness: &Witness) -> Counterexample {
-    let at = witness.at.iter().map(|(name, coordinate)| (name.clone(), Value::from(coordinate.value(name))));
+    // A variable that has a rational value itself is not named by its tangent, which then is a number next to another one.
+    let own = |name: &String| {
+        let (_, place) = witness.places.iter().find(|(own, _)| own == name)?;
+        let (variable, value) = place.split_once(" = ")?;
+        rational::parse(value).map(|_| (String::from(variable), Value::from(value)))
+    };
+    let at = witness.at.iter().map(|(name, coordinate)| {
+        own(name).unwrap_or_else(|| (name.clone(), Value::from(coordinate.value(name))))
+    });
     let net = witness.net.iter().map(|(name, place)| (name.clone(), Value::from(point_text(place))));
     let value = witness.value_text();
     Counterexample {

@@ -1083,8 +1083,9 @@ Proof.
 Qed.
 
 (** How to show a sign: by the coefficients; on both parts of a box that is cut where a variable is q; of a product
-    from the signs of its factors, both positive or both negative; of a square times another; of a square times a positive number, and what is added to it; of a polynomial of degree 1
-    in a variable from its values at the ends of the range, at an infinite one from the slope. *)
+    from the signs of its factors, both positive or both negative; of a square times another; of a sum in which one
+    summand is a square times a positive number; of a polynomial of degree 1 in a variable from its values at the ends
+    of the range, at an infinite one from the slope. *)
 Inductive cert :=
   | Direct
   | Cut (k : nat) (q : Q) (low high : cert)

@@ -110,6 +110,11 @@ fn polynomial(
         SignProof::Corners { .. } => Err("a proof by corners and a number between them"),
         SignProof::Factors { factors, rest } => product(p, relation, (factors, rest), variables),
         SignProof::Squares { squares, rest } => {
+            let is_fixed =
+                |(v, range): &(Var, Range)| p.depends_on(*v) && range.finite().is_some_and(|(a, b)| a == b);
+            if variables.iter().any(is_fixed) {
+                return Err("a sum of squares with a variable of one value");
+            }
             let (mut left, mut text) = (p.clone(), String::new());
             for (factor, base) in squares {
                 left = &left - &(base * base).scale(factor);

@@ -189,7 +189,7 @@ impl Budget {
         *self.reduction.borrow_mut() = Work::new(MAX_REDUCTION);
     }
 
-    /// Leaves a small part of the work, for what may be left undone.
+    /// Starts to count again, with a small part of the work for common divisors: for what may be left undone.
     pub(crate) fn shorten(&self) {
         self.refill();
         *self.reduction.borrow_mut() = Work::new(MAX_REDUCTION / 16);

@@ -161,12 +161,14 @@ impl Witness {
         found: &Counterexample,
         negated: bool,
     ) -> Self {
-        let (value, is_exact) = found.value();
-        let value = if negated { -value } else { value };
-        let mut witness = Self::new(of, at, value, found.refutation.clone());
-        if !is_exact {
-            witness.shown = Some(about(&witness.value));
-        }
+        let value = found.value();
+        let number = value.as_ref().map_or(Rational::ZERO, |(x, _)| if negated { -x } else { x.clone() });
+        let mut witness = Self::new(of, at, number, found.refutation.clone());
+        witness.shown = match value {
+            Some((_, true)) => None,
+            Some((_, false)) => Some(about(&witness.value)),
+            None => Some(String::from("a number that is not as claimed")),
+        };
         witness
     }
 

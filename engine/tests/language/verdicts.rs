@@ -958,6 +958,16 @@ fn lists_without_members() {
             prove b[0] + b[1] >= 1;
         }",
     );
+    let of_a_let = verdicts(
+        "family Ends(n in 0..=2) {
+            domain 0 <= t <= 1;
+            let y = [1, 2, 3];
+            shape 0 <= a[i] <= y[i] for i in 1..=n;
+            b[0] = y[0]*t + sum(a);
+            prove nonnegative;
+        }",
+    );
+    assert_eq!(of_a_let, ["="; 3]);
     assert_eq!(found[..2], ["=", "="], "{found:?}");
     assert!(found[2..].iter().all(|f| f.contains(" at ") || f == "="), "{found:?}");
 }

@@ -362,7 +362,6 @@ macro_rules! operator {
         impl $trait<&Rational> for &Rational {
             type Output = Rational;
             fn $method(self, other: &Rational) -> Rational {
-                // Most numbers are whole.
                 if let (Small(a, 1), Small(c, 1)) = (&self.0, &other.0)
                     && let Some(n) = a.$checked(*c)
                     && n != i64::MIN
@@ -423,8 +422,7 @@ impl Div<&Rational> for &Rational {
 /// How numbers become machine words: as numerators over a common denominator.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Words {
-    /// 1 when all numbers are whole.
-    pub(super) denom: i64,
+    pub(super) denom: i64, // 1 when all numbers are whole
     /// No numerator has a larger absolute value.
     pub(super) largest: u64,
 }
@@ -455,9 +453,6 @@ impl Words {
 
     /// The number with this numerator.
     pub(super) fn number(self, word: i64) -> Rational {
-        if self.denom == 1 {
-            return Rational::from(word);
-        }
         Rational::from_i128(i128::from(word), i128::from(self.denom))
     }
 }

@@ -37,9 +37,8 @@ impl Work {
         if a.total_degree().max(b.total_degree()) >= 1 << 14 {
             return self.spend(u64::MAX);
         }
-        let words = (a.max_bits() + b.max_bits()) / 64 + 1;
         // A product of terms costs about as much as six products of numbers.
-        self.spend(6 * (a.len() as u64) * (b.len() as u64) * words + 1)
+        self.spend(6 * (a.len() * b.len()) as u64 * ((a.max_bits() + b.max_bits()) / 64 + 1) + 1)
     }
 
     /// Counts the work of putting a number in place of a variable.
@@ -50,8 +49,7 @@ impl Work {
 
     /// Counts the work of a product and a difference of fractions of `bits` bits together.
     pub fn spend_fractions(&mut self, bits: u64) -> Option<()> {
-        // Beyond machine words most of it are common divisors.
-        let common_divisors = if bits <= 128 { 0 } else { bits / 2 + bits * bits / 1024 };
+        let common_divisors = if bits <= 128 { 0 } else { bits / 2 + bits * bits / 1024 }; // most of it
         self.spend(2 + common_divisors)
     }
 

@@ -138,7 +138,9 @@ impl Claim {
         let mut left = self.poly.clone();
         for (factor, base) in squares {
             shown(factor.is_positive(), "a square is multiplied by a number that is not positive")?;
-            work.spend_product(base, base).ok_or(Refusal::Spent)?;
+            let length =
+                (left.len() + base.len().pow(2)) as u64 * (1 + (left.max_bits() + factor.bits()) / 64);
+            work.spend(length).and_then(|()| work.spend_product(base, base)).ok_or(Refusal::Spent)?;
             left = &left - &(base * base).scale(factor);
         }
         self.part(left, self.relation)?.check(rest, work)

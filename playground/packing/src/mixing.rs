@@ -33,7 +33,7 @@ const WEIGHT: f32 = 0.12;
 const SPAN: f32 = 12.0;
 const TABLE: usize = 4096;
 
-/// How much a probability counts that was seen n times: at first it says more than it knows, unseen nothing.
+/// How much a probability counts that was seen n times: at first it is more certain than it says, and unseen it says nothing.
 const fn confidence(n: usize) -> f32 {
     match n {
         0 => 0.0,

@@ -30,6 +30,7 @@ use basis_kernel::Statement;
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Joint};
@@ -508,6 +509,11 @@ fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Ve
 
 /// The same where parameters are next to an end that is left out.
 fn refuted_next_to_ends(family: &Family, claim: &Claim) -> Option<Verdict> {
+    let is_left_out = |end: &End| !end.is_included();
+    let mut ends = family.shapes.iter().filter(|p| p.range.finite().is_some());
+    if !ends.any(|p| is_left_out(&p.range.low) || is_left_out(&p.range.high)) {
+        return None;
+    }
     refuted_plainly(family, claim, false, Where::NextToEnds)
 }
 

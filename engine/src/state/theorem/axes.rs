@@ -46,11 +46,14 @@ impl Axes {
         let pairs = occurring.map(|(_, pair)| *pair).listed();
         let mut points = pairs.iter().flat_map(|(p, q)| [*p, *q]).listed();
         sort_unique(&mut points);
+        // One of them may be the origin.
+        if pairs.iter().all(|(p, q)| p == q) || points.len() > MAX_POINTS + 1 {
+            return None;
+        }
         if let Some(origin) = points.iter().rposition(|o| is_moved(theorem, value, *o) == Some(true)) {
             points.remove(origin);
         }
-        let fine = pairs.iter().any(|(p, q)| p != q) && points.len() <= MAX_POINTS;
-        fine.then_some(Self { points, first: theorem.names.len() })
+        (points.len() <= MAX_POINTS).then_some(Self { points, first: theorem.names.len() })
     }
 
     /// The coordinate of a point along an axis that it has.

@@ -102,8 +102,10 @@ fn scalar(theorem: &Theorem, comparison: Comparison, difference: &Difference) ->
             return all;
         }
     }
-    let axes = Axes::of(theorem, value).filter(|_| comparison != Comparison::Equal);
-    if let Some((axes, value)) = axes.and_then(|axes| axes.put(theorem, value).map(|value| (axes, value))) {
+    if comparison != Comparison::Equal
+        && let Some(axes) = Axes::of(theorem, value)
+        && let Some(value) = axes.put(theorem, value)
+    {
         return vec![Stated::new(text.clone(), compared(&value, comparison, &axes.domain(theorem)))];
     }
     let domain = theorem.domain();
@@ -346,7 +348,7 @@ fn inequality(
     match failure {
         Failure::Undecided(left) => {
             // With definite points in place of coordinates the question is a smaller one.
-            let attempts = if theorem.dimension.is_some() { ATTEMPTS } else { 0 };
+            let attempts = if theorem.dimension.is_some() || vague { ATTEMPTS } else { 0 };
             let found = nets(theorem).take(attempts).find_map(|net| on_net(&net, None));
             found.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {left}")))
         }

@@ -188,7 +188,7 @@ impl Trim<'_> {
         }
     }
 
-    /// Whether a part is a quarter of a circle or nearly so, where the curve turns back.
+    /// Whether a part is an arc of more than a sixth of a circle, as it stands where the curve turns back.
     fn is_long_arc(&self, part: &Part) -> bool {
         let chord = plus(part.segment.end(), part.segment.start(), -1.0);
         part.segment.weights().is_some() && length(chord) > self.distance.abs()

@@ -156,7 +156,11 @@ fn shortest<S: Scalar>(number: S) -> String {
     let number = if number == S::ZERO { S::ZERO } else { number }; // no -0
     let size = number.abs().to_f64();
     let decimal = number.to_string();
-    if size != 0.0 && !(1e-5..1e16).contains(&size) { with_exponent(&decimal) } else { decimal }
+    if size.is_finite() && size != 0.0 && !(1e-5..1e16).contains(&size) {
+        with_exponent(&decimal)
+    } else {
+        decimal
+    }
 }
 
 /// The number with the same digits and an exponent: `-1.25e-7` for `-0.000000125`.

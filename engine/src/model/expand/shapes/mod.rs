@@ -51,7 +51,9 @@ pub(super) fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
                 _ => None,
             });
             for name in with_index {
-                if complete && !scope.is_list_of_shapes(name) && scope.variable(name).is_none() {
+                // Of an end of a range the name may be a list that `let` gives.
+                let is_other = scope.planned.named(name).is_some() || scope.variable(name).is_some();
+                if complete && !is_other && !scope.is_list_of_shapes(name) {
                     scope.empty_lists.push(String::from(name));
                 }
             }

@@ -475,13 +475,15 @@ impl<'f> Sample<'f> {
         let near = with_numbers_near(self.family, f);
         let f = near.as_ref().unwrap_or(f);
         // Long functions are looked at in fewer places.
-        let (points, each) = (self.rows.iter().map(Vec::len).sum::<usize>() as u64, cost(self.family, f));
-        let affordable = |n: &u64| points / n * each <= work.left() / 4;
-        let stride = [1, 2, 4, 8, 16].into_iter().find(affordable)?;
-        if stride > 1 {
+        let each = cost(self.family, f);
+        let all_work =
+            |n: usize| self.rows.iter().map(|row| row.len().div_ceil(n)).sum::<usize>() as u64 * each;
+        let stride = [1, 2, 4, 8, 16].into_iter().find(|n| all_work(*n) <= work.left() / 4);
+        if stride != Some(1) {
             basis_prover::done_less_often();
         }
-        work.spend(points / stride * each)?;
+        let stride = stride?;
+        work.spend(all_work(stride))?;
         let nearer = ENCLOSURE * self.family.analytic.angles.len() as u64 + each;
         // Along the domain variable, and along the parameters between numbers.
         let region = self.family.region();
@@ -509,7 +511,7 @@ impl<'f> Sample<'f> {
         let mut all: Vec<(Rational, Values)> = Vec::new();
         for row in &self.rows {
             let mut best: Option<(Rational, Values, bool)> = None;
-            for (point, found) in row.iter().step_by(stride as usize) {
+            for (point, found) in row.iter().step_by(stride) {
                 let Some((x, is_above)) = value(point, found) else { continue };
                 if best.as_ref().is_none_or(|(least, ..)| x < *least) {
                     best = Some((x, point.clone(), is_above));

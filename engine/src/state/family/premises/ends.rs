@@ -5,7 +5,8 @@
 //! polynomial in z and ρ, of which multiples of g(ρ) may be taken away. It is ≥ 0 if the rest is for all z from 0 to 1
 //! and all numbers in place of ρ between two that have ρ between them.
 //!
-//! With zeros at both ends it is ρ + (σ − ρ)·z.
+//! With a zero ρ at the lower end and a zero σ at the upper one it is ρ + (σ − ρ)·z. Where ρ > σ no number satisfies both
+//! premises, and nothing has to hold.
 //!
 //! A claim that is sharp at the end has coefficients that vanish there exactly.
 
@@ -80,7 +81,7 @@ impl Place {
         Some(Self { value: Poly::constant(end.value()?.clone()), is_included: end.is_included(), zero: None })
     }
 
-    /// Numbers below and above the end; `None` of a rational one, beside which every zero lies inside.
+    /// Numbers below and above the end; `None` of a rational one, which every zero in the range replaces.
     fn between(&self) -> Option<&[Rational; 2]> {
         self.zero.as_ref().map(|zero| &zero.between)
     }
@@ -93,7 +94,8 @@ impl Sign<'_> {
         let mut domain = Domain::clone(&*without_premises(self.domain));
         let (mut above, mut below) = (numerator.clone(), denominator.clone());
         let ranged = domain.region.ranges.iter().map(|(v, _)| *v);
-        let all = ranged.chain(numerator.variables()).chain(denominator.variables());
+        let of_simplices = domain.simplices.iter().flat_map(|s| s.variables.iter().copied());
+        let all = ranged.chain(of_simplices).chain(numerator.variables()).chain(denominator.variables());
         let free = all.map(|v| v.0 + 1).max()?;
         let mut ends: Vec<(Var, [Place; 2])> = Vec::new();
         for (k, (g, relation)) in self.domain.premises.iter().enumerate() {

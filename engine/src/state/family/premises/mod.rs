@@ -5,7 +5,8 @@
 //!
 //! Where g is a polynomial in one variable, f = q·g + r by division, and q ≥ 0 and r ≥ 0 are enough.
 //!
-//! Of hardly higher degree than g, f = P + N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then; m may be P².
+//! Where f has at most one degree more than g: f = P + N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then. The product m may
+//! be P² there.
 //!
 //! The premise is then no longer needed: f − c·m·g ≥ 0 is said of the whole box. The number c has to satisfy
 //! c·m·g ≤ f at all points; what some points say of it leaves an interval, from which it is chosen. That it is right is for
@@ -344,8 +345,8 @@ impl Sign<'_> {
         let one = Poly::one();
         let below = &value.denominator;
         let is_positive = |p: &Poly| {
-            let values = values(p, &one, points).unwrap_or_default();
-            !p.is_one() && values.iter().flatten().all(Rational::is_positive)
+            let values = values(p, &one, points);
+            !p.is_one() && values.is_some_and(|all| all.iter().flatten().all(Rational::is_positive))
         };
         for (g, premise) in domain.premises.iter().filter(|(g, _)| !g.is_zero()) {
             // What vanishes with a power that all terms share is positive only by the premise itself.
