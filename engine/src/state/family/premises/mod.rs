@@ -443,8 +443,10 @@ impl Sign<'_> {
             ranges.iter().filter(|(v, _)| depends(&self.value, *v) || depends(g, *v)).collect();
         let at = |point: &[Rational]| {
             let value = |q: &Quotient| q.numerator.eval(point).checked_div(&q.denominator.eval(point));
-            let below = value(g).filter(|g| g.signum() == sign)?;
-            value(&self.value)?.checked_div(&below)
+            basis_prover::charged(&mut || {
+                let below = value(g).filter(|g| g.signum() == sign)?;
+                value(&self.value)?.checked_div(&below)
+            })?
         };
         let short =
             |d: &Vec<i64>| d.iter().all(|k| k.abs() <= 1) && d.iter().filter(|k| **k != 0).count() <= 2;
