@@ -253,7 +253,9 @@ impl Form {
             let sum = weighted
                 .fold(Rational::ZERO, |sum, (place, v)| &sum + &(v * &Rational::from(weight(*place))));
             let mean = &sum / &Self::weight_of(class);
-            own.iter_mut().for_each(|v| *v -= &mean);
+            for v in own {
+                *v -= &mean;
+            }
             start += class.len();
         }
         v
@@ -327,7 +329,9 @@ fn independent(rows: Vec<Vec<Rational>>, unknowns: usize, work: &mut Work) -> Op
             return None;
         };
         let factor = row[pivot].recip()?;
-        row.iter_mut().for_each(|x| *x = &*x * &factor);
+        for x in &mut row {
+            *x = &*x * &factor;
+        }
         for (_, other) in &mut reduced {
             subtract(other, &row, pivot, work)?;
         }

@@ -97,10 +97,10 @@ impl Axes {
         let dimension = self.points.len().max(2);
         let mut places = theorem.points.mapped(|_| vec![Rational::ZERO; dimension]);
         for (k, point) in self.points.iter().enumerate() {
-            for axis in 0..=k {
+            for (axis, place) in places[*point].iter_mut().enumerate().take(k + 1) {
                 let var = self.coordinate(k, axis);
                 match at.iter().find(|(v, _)| *v == var) {
-                    Some((_, Coordinate::Rational(x))) => places[*point][axis] = x.clone(),
+                    Some((_, Coordinate::Rational(x))) => *place = x.clone(),
                     Some(_) => return None,
                     None => {}
                 }

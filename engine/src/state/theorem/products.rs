@@ -128,9 +128,8 @@ fn value_at_origin(statement: &Statement) -> Poly {
 
 /// Places of the points on a line at which c + xᵀA x is not as claimed, where c or A is the reason for it.
 fn negative(constant: &Rational, matrix: &[Vec<Rational>]) -> Option<Vec<Rational>> {
-    let direction = match semidefinite(matrix, &mut Work::new(WORK))? {
-        Ok(_) => return Some(matrix.mapped(|_| Rational::ZERO)),
-        Err(direction) => direction,
+    let Err(direction) = semidefinite(matrix, &mut Work::new(WORK))? else {
+        return Some(matrix.mapped(|_| Rational::ZERO));
     };
     let mut form = Rational::ZERO;
     for (row, x) in matrix.iter().zip(&direction) {

@@ -557,11 +557,11 @@ impl<'f> Sample<'f> {
 /// A function with rational numbers next to π, exp(r) and the like in place of these: about where it is small.
 fn with_numbers_near(family: &Family, f: &Fraction) -> Option<Fraction> {
     let numbers = family.analytic.numbers();
-    let ranges = family.analytic.ranges.iter().filter(|(var, _)| numbers.contains(var) && f.depends_on(*var));
-    ranges.fold(Some(f.clone()), |f, (var, range)| {
+    let occurring = |(var, _): &&(Var, Range)| numbers.contains(var) && f.depends_on(*var);
+    family.analytic.ranges.iter().filter(occurring).try_fold(f.clone(), |f, (var, range)| {
         let scaled = &middle(range) * &Rational::from(NEAR);
         let near = &scaled.floor() / &Rational::from(NEAR);
-        put(&f?, *var, &Fraction::constant(near))
+        put(&f, *var, &Fraction::constant(near))
     })
 }
 
