@@ -190,6 +190,7 @@ impl Budget {
     }
 
     /// Starts to count again, with a small part of the work for common divisors: for what may be left undone.
+    #[cfg(feature = "angles")]
     pub(crate) fn shorten(&self) {
         self.refill();
         *self.reduction.borrow_mut() = Work::new(MAX_REDUCTION / 16);
