@@ -382,9 +382,7 @@ fn exceptions(family: &Family) -> ExceptionalSet {
         let except: Vec<Option<Values>> =
             set.exceptions.iter().map(|e| e.values.iter().map(value).collect()).collect();
         let except: Option<Vec<Values>> = except.into_iter().collect();
-        let all = except.map(|except| verdict(family, ClaimKind::Independent(except)));
-        set.open = (!matches!(all, Some(Verdict::Proved(_))))
-            .then(|| String::from("it is not proved that there are no others"));
+        set.open = except.map_or_else(|| Some(String::from(OTHERS)), |except| open_besides(family, except));
         return set;
     }
     let mut except = Vec::new();
@@ -401,16 +399,25 @@ fn exceptions(family: &Family) -> ExceptionalSet {
     }
     if rational && !family.constraints.is_empty() {
         // On the whole box the functions may be dependent where what is assumed is false.
-        let all = verdict(family, ClaimKind::Independent(except));
-        set.open = (!matches!(all, Verdict::Proved(_)))
-            .then(|| String::from("it is not proved that there are no others"));
+        set.open = open_besides(family, except);
     } else if rational && set.open.is_none() {
         let statement = Statement::Independent { rows, except, region: family.shape_region() };
         if decide(statement, &symmetries, family.budget).is_err() {
-            set.open = Some(String::from("it is not proved that there are no others"));
+            set.open = Some(String::from(OTHERS));
         }
     }
     set
+}
+
+/// What is left open of exceptions that may not be all.
+const OTHERS: &str = "it is not proved that there are no others";
+
+/// What is left open where functions are said to be independent but for these exceptions.
+fn open_besides(family: &Family, except: Vec<Values>) -> Option<String> {
+    match verdict(family, ClaimKind::Independent(except)) {
+        Verdict::Proved(_) => None,
+        _ => Some(String::from(OTHERS)),
+    }
 }
 
 /// Whether a condition in which only these shape parameters occur is false at their values.

@@ -150,7 +150,7 @@ pub fn done_less_often() {
 impl Drop for Budget {
     fn drop(&mut self) {
         SPENT.set(SPENT.get() + self.units.saturating_sub(self.work.left()));
-        // Whoever asks for more than is left has nothing left.
+        // After a request for more than is left, nothing is left.
         if self.is_short && self.work.left() == 0 {
             CUTS.set(CUTS.get() + 1);
         }

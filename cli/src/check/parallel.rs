@@ -42,7 +42,7 @@ pub(super) fn each<T: Send>(
                 let decided = || {
                     claims.fetch_add(1, Ordering::Relaxed);
                 };
-                // Whoever holds the queue only takes from it.
+                // A thread that holds the queue only takes from it.
                 while let Some((k, entry)) = queue.lock().ok().and_then(|mut queue| queue.next()) {
                     let outcome = prove::watched(entry, prove::Formal::Left, &decided);
                     if sender.send((k, keep(&outcome))).is_err() {

@@ -55,6 +55,35 @@ fn eliminate<'a>(
     Some(())
 }
 
+/// Equations with their right sides behind the factors of the unknowns, in reduced echelon form and without those that
+/// follow from others; `None` when they contradict one another, or the work is spent.
+pub fn independent_equations(
+    equations: Rows<Rational>,
+    unknowns: usize,
+    work: &mut Work,
+) -> Option<Rows<Rational>> {
+    let mut reduced: Vec<(usize, Vec<Rational>)> = Vec::new();
+    for mut row in equations {
+        for (column, other) in &reduced {
+            eliminate(other, core::iter::once(&mut row), *column, work)?;
+        }
+        let Some(column) = (0..unknowns).find(|k| !row[*k].is_zero()) else {
+            if row[unknowns].is_zero() {
+                continue;
+            }
+            return None;
+        };
+        let factor = row[column].recip()?;
+        for x in &mut row {
+            *x = &*x * &factor;
+        }
+        eliminate(&row, reduced.iter_mut().map(|(_, other)| other), column, work)?;
+        reduced.push((column, row));
+    }
+    sort_by(&mut reduced, |a, b| a.0.cmp(&b.0));
+    Some(reduced.into_iter().map(|(_, row)| row).listed())
+}
+
 /// The determinant of a square matrix of numbers; `None` when the work is spent.
 pub fn determinant(mut rows: Rows<Rational>, work: &mut Work) -> Option<Rational> {
     let mut result = Rational::ONE;

@@ -5,13 +5,13 @@
 //! where they do, G is the matrix with the least entries, in the sense of least squares, that maps m(z) to zero for every
 //! zero z of p that has coordinates −1, 0 and 1.
 
+use crate::algebra::matrix::independent_equations;
 use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::map::SortedMap;
-use crate::collections::sort::sort_by;
 use crate::semidefinite::semidefinite;
 use basis_kernel::{Relation, SignProof};
 
@@ -208,7 +208,7 @@ impl Form {
                 rows.push(self.along(row).into_iter().chain([-value]).listed());
             }
         }
-        let rows = independent(rows, base.len(), work)?;
+        let rows = independent_equations(rows, base.len(), work)?;
         let scalar = |a: &[Rational], b: &[Rational]| {
             let pairs = self.entries().zip(a.iter().zip(b));
             pairs.fold(Rational::ZERO, |sum, (place, (a, b))| {
@@ -221,7 +221,7 @@ impl Form {
             products.chain([a[base.len()].clone()]).listed()
         });
         let count = rows.len();
-        let solved = independent(system, count, work)?;
+        let solved = independent_equations(system, count, work)?;
         for (k, equation) in solved.iter().enumerate() {
             // In reduced echelon form, with the unknown number k in front of row k.
             for (entry, v) in base.iter_mut().zip(&rows[k]) {
@@ -312,46 +312,4 @@ fn zeros(
         }
     }
     Some(found)
-}
-
-/// Equations in reduced echelon form, those left out that follow from others, with the right sides behind; `None` where
-/// they contradict one another.
-fn independent(rows: Vec<Vec<Rational>>, unknowns: usize, work: &mut Work) -> Option<Vec<Vec<Rational>>> {
-    let mut reduced: Vec<(usize, Vec<Rational>)> = Vec::new();
-    for mut row in rows {
-        for (pivot, other) in &reduced {
-            subtract(&mut row, other, *pivot, work)?;
-        }
-        let Some(pivot) = (0..unknowns).find(|k| !row[*k].is_zero()) else {
-            if row[unknowns].is_zero() {
-                continue;
-            }
-            return None;
-        };
-        let factor = row[pivot].recip()?;
-        for x in &mut row {
-            *x = &*x * &factor;
-        }
-        for (_, other) in &mut reduced {
-            subtract(other, &row, pivot, work)?;
-        }
-        reduced.push((pivot, row));
-    }
-    sort_by(&mut reduced, |a, b| a.0.cmp(&b.0));
-    Some(reduced.into_iter().map(|(_, row)| row).listed())
-}
-
-/// Takes a multiple of another row from a row, so that nothing is left in a column.
-fn subtract(row: &mut [Rational], other: &[Rational], column: usize, work: &mut Work) -> Option<()> {
-    if row[column].is_zero() {
-        return Some(());
-    }
-    let factor = row[column].clone();
-    for (x, y) in row.iter_mut().zip(other) {
-        if !y.is_zero() {
-            work.spend_fractions(x.bits() + y.bits() + factor.bits())?;
-            *x -= &(y * &factor);
-        }
-    }
-    Some(())
 }

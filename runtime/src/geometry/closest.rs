@@ -38,7 +38,7 @@ impl<P: Point> Closest<P> {
     }
 }
 
-/// So many pairs are looked at; the lower bound is then what has been shown.
+/// The most pairs that are looked at; the lower bound is then what has been shown.
 const MOST: usize = 1 << 18;
 
 /// A pair of pieces.

@@ -415,7 +415,7 @@ fn helix(degree: usize) -> BSplineCurve<P3> {
     BSplineCurve::from_bezier((0..=degree).map(angle).map(point).collect::<Vec<_>>()).unwrap()
 }
 
-/// The length of the polygon with so many corners has an error that falls like `1/n²`; two of them tell the limit.
+/// The length of the polygon with n corners has an error that falls like `1/n²`; two of them tell the limit.
 fn extrapolated(curve: &impl ParametricCurve<Point = P3>) -> f64 {
     let polygon = |n: usize| {
         let corners: Vec<P3> = curve.samples(n + 1).collect();

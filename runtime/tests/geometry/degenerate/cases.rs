@@ -10,7 +10,7 @@ pub type Points<const D: usize> = (Vec<[f64; D]>, Vec<f64>);
 pub enum Made {
     /// They have a point in common.
     Meet,
-    /// So many of their derivatives are those of one curve in two parametrisations.
+    /// This number of their derivatives are those of one curve in two parametrisations.
     Touch(u32),
 }
 

@@ -46,11 +46,8 @@ pub(super) fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
                 let names = decl.parts.iter().filter_map(syntax::Expr::named).map(String::from);
                 scope.undeclared.borrow_mut().extend(names);
             }
-            let with_index = decl.parts.iter().filter_map(|part| match &part.kind {
-                ExprKind::Index(base, _) => base.named(),
-                _ => None,
-            });
-            for name in with_index {
+            let with_index = decl.parts.iter().filter(|part| matches!(part.kind, ExprKind::Index(..)));
+            for name in with_index.filter_map(syntax::Expr::named) {
                 // Of an end of a range the name may be a list that `let` gives.
                 let is_other = scope.planned.named(name).is_some() || scope.variable(name).is_some();
                 if complete && !is_other && !scope.is_list_of_shapes(name) {

@@ -7,7 +7,7 @@ use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, Counterexample, simple, within};
 
-use super::{Sample, combination, sample};
+use super::{Sample, combination, sample, values};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
@@ -286,7 +286,7 @@ pub(in crate::state::family) fn about(
     there: &Family,
     point: &[(Var, Rational)],
 ) -> Vec<(String, f64)> {
-    sample::about(there, &super::rational_part(family, point))
+    values::about(there, &super::rational_part(family, point))
 }
 
 /// The value at a counterexample for reading, if it contains π, exp(r), or a variable beside its sine; of a sign times a factor
@@ -335,12 +335,12 @@ fn of_equation(family: &Family, found: &Counterexample) -> Option<String> {
     let rational = rational.listed();
     let put = |p: &Poly| rational.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
     let value = Fraction::new(put(&value.numerator), put(&value.denominator))?;
-    let exact = sample::exact(family, &rational);
+    let exact = values::exact(family, &rational);
     let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
     let text = numbers_written(family, &value.display(&family.names));
     let number = || {
         let exact = family.analytic.number(&value).map(|x| x.to_f64());
-        exact.or_else(|| sample::decimal_at(family, &rational, &value))
+        exact.or_else(|| values::decimal_at(family, &rational, &value))
     };
     // A parameter beside its sine, which is a number here, says nothing about the size.
     let open = family.analytic.angles.iter().any(|a| a.itself != a.var && value.depends_on(a.itself));

@@ -12,8 +12,8 @@
 use basis_prover::collections::list::Listed;
 
 use super::ladder::Ladder;
-use super::sample::{self, Sample};
-use super::{Step, all_bounded, cells};
+use super::sample::Sample;
+use super::{Step, all_bounded, cells, values};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::{End, Range};
@@ -136,7 +136,7 @@ fn places(
         let y = x.sub_within(&angle.low, work)?.div_within(&angle.width, work).ok()??;
         let place = Place { y, itself, text, is_included: true };
         let at = (angle, &place.y, &place.itself);
-        let about = |f: &Fraction, work: &mut Work| sample::about_at(family, f, at, &typical, work);
+        let about = |f: &Fraction, work: &mut Work| values::about_at(family, f, at, &typical, work);
         let Some(own) = about(&place.y, work) else { continue };
         if !(*low < own.0 && own.1 < *high) || found.iter().any(|(y, _)| own.0 <= *y && *y <= own.1) {
             continue;

@@ -4,7 +4,7 @@
 //! degree: this is for functions with a highest or lowest value inside, such as t·exp(−t) ≤ 37/100. They are polynomials in the
 //! tangent itself, which runs between short fractions.
 
-use super::{Step, sample};
+use super::{Step, values};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
@@ -31,7 +31,7 @@ pub(super) fn cells(
     let end = |y: &Rational, up: bool| {
         let x = angle.tangent().substitute(angle.var, &Fraction::constant(y.clone()))?;
         let unit = Rational::from(UNIT);
-        let parts = &sample::bound(family, &x, up)? * &unit;
+        let parts = &values::bound(family, &x, up)? * &unit;
         if up { (-(-parts).floor()).to_i64() } else { parts.floor().to_i64() }
     };
     let (low, high) = (end(low, false)?, end(high, true)?);

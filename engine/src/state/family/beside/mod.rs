@@ -21,6 +21,7 @@ mod ladder;
 mod parameter;
 mod point;
 mod sample;
+mod values;
 
 use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::collections::list::Listed;
@@ -38,14 +39,15 @@ use crate::model::angle::enclosure::{Anchor, From, without};
 use crate::model::angle::{Angle, Kind};
 use crate::model::{Family, Function};
 use ladder::Ladder;
-use sample::Values;
+use values::Values;
 
 pub(super) use crate::model::angle::tangents::wider;
 pub(super) use claims::{
     Whatever, about, at_point, enough, proved_at_once, refuted, refuted_whatever, rows_between_bounds, shown,
 };
 pub(super) use point::{name_angles, places, value_at};
-pub(super) use sample::{Sample, genuine};
+pub(super) use sample::Sample;
+pub(super) use values::genuine;
 
 /// Something that has to be ≥ 0, or > 0.
 #[derive(Clone)]
@@ -351,7 +353,7 @@ fn in_the_tangent(family: &Family, angle: &Angle, step: &Step) -> Option<(Step, 
     let value = by_the_tangent(angle, &step.value).filter(|value| !value.depends_on(*number))?;
     let end = |y: i64, up: bool| {
         let x = angle.tangent().substitute(angle.var, &Fraction::constant(Rational::from(y)))?;
-        sample::bound(family, &x, up)
+        values::bound(family, &x, up)
     };
     let (mut low, mut high) = (end(0, false)?, end(1, true)?);
     match step.half {

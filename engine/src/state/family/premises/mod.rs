@@ -14,6 +14,7 @@
 
 mod ends;
 mod points;
+mod positive;
 mod search;
 mod touching;
 
@@ -28,6 +29,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_within;
 pub(super) use points::inside;
 use points::{directions, fits, ranges, sample, values};
+pub(super) use positive::Positive;
 pub(in crate::state) use search::counterexample;
 
 /// How often the steps towards a narrower interval for a number are halved.
@@ -59,51 +61,6 @@ pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>>
         return None;
     }
     sign.enough(&seen, domain.premises.len() + 1)
-}
-
-/// Polynomials that are positive at all points that count, because a premise says so. What is divided by one of them keeps
-/// its sign, and a row or column of a matrix keeps the rank.
-pub(super) struct Positive(Vec<Poly>);
-
-impl Positive {
-    /// Those of a domain.
-    pub(super) fn of(domain: &Domain) -> Self {
-        let strict = domain.premises.iter().filter(|(g, sign)| *sign == Relation::Positive && !g.is_zero());
-        Self(strict.map(|(g, _)| g.clone()).filter(|g| g.as_constant().is_none()).listed())
-    }
-
-    /// A quotient without those that divide what stands above or below the fraction line.
-    pub(super) fn reduced(&self, value: &Quotient) -> Quotient {
-        let Quotient { numerator, denominator } = value.clone();
-        let without = |p: Poly| self.0.iter().fold(p, |p, g| divided_by_all(&[&p], g).pop().unwrap_or(p));
-        Quotient { numerator: without(numerator), denominator: without(denominator) }
-    }
-
-    /// The rows of a matrix without those that divide all entries of a row, or of a column.
-    pub(super) fn of_rows(&self, mut rows: Vec<Vec<Poly>>) -> Vec<Vec<Poly>> {
-        for g in &self.0 {
-            for row in &mut rows {
-                *row = divided_by_all(&row.iter().listed(), g);
-            }
-            for k in 0..rows.iter().map(Vec::len).min().unwrap_or(0) {
-                let column = divided_by_all(&rows.iter().map(|row| &row[k]).listed(), g);
-                for (row, entry) in rows.iter_mut().zip(column) {
-                    row[k] = entry;
-                }
-            }
-        }
-        rows
-    }
-}
-
-/// Polynomials, divided by another one as often as it divides all of them; 0 is left as it is.
-fn divided_by_all(all: &[&Poly], by: &Poly) -> Vec<Poly> {
-    let mut all = all.iter().map(|p| (*p).clone()).listed();
-    while all.iter().any(|p| !p.is_zero()) {
-        let Some(quotients) = all.iter().map(|p| p.div_exact(by)).collect() else { break };
-        all = quotients;
-    }
-    all
 }
 
 /// That a quotient has a sign where premises hold.
@@ -262,14 +219,9 @@ impl Sign<'_> {
         }
         // Terms that are ≥ 0, or those with positive coefficients.
         let positive = |_: &Monomial, c: &Rational| c.is_positive();
-        let ranges = ranges(self.domain);
-        let is_nonnegative = |var: &Var| {
-            let range = ranges.iter().find(|(v, _)| v == var);
-            range.is_some_and(|(_, r)| r.low.value().is_some_and(|low| !low.is_negative()))
-        };
+        let [_, others] = signed(numerator.variables(), self.domain);
         let nonnegative = |m: &Monomial, c: &Rational| {
-            let odd = |var: &Var| m.exponent(*var) % 2 == 1;
-            c.is_positive() && numerator.variables().iter().filter(|v| odd(v)).all(is_nonnegative)
+            c.is_positive() && others.iter().all(|v| m.exponent(*v).is_multiple_of(2))
         };
         self.squared_from(&nonnegative).or_else(|| self.squared_from(&positive))
     }
@@ -507,12 +459,7 @@ fn factors(numerator: &Poly, premise: &Poly, domain: &Domain) -> Vec<Poly> {
         }
     }
     if own.is_one() && numerator.total_degree() > premise.total_degree() {
-        let is_positive = |v: &Var| {
-            let range = ranges(domain).into_iter().find(|(own, _)| own == v);
-            range.is_some_and(|(_, range)| range.low.value().is_some_and(|low| !low.is_negative()))
-        };
-        let variables = premise.variables();
-        let (positive, others): (Vec<Var>, Vec<Var>) = variables.into_iter().partition(is_positive);
+        let [positive, others] = signed(premise.variables(), domain);
         all.extend(positive.iter().map(|v| Poly::var(*v)));
         if positive.len() > 1 {
             all.push(positive.iter().fold(Poly::zero(), |sum, v| &sum + &Poly::var(*v)));
@@ -520,6 +467,19 @@ fn factors(numerator: &Poly, premise: &Poly, domain: &Domain) -> Vec<Poly> {
         all.extend(others.iter().map(|v| Poly::var(*v).pow(2)));
     }
     all
+}
+
+/// Whether a range has no negative numbers.
+fn is_nonnegative(range: &Range) -> bool {
+    range.low.value().is_some_and(|low| !low.is_negative())
+}
+
+/// The variables that are ≥ 0, and the others.
+fn signed(variables: Vec<Var>, domain: &Domain) -> [Vec<Var>; 2] {
+    let ranges = ranges(domain);
+    let fits = |v: &Var| ranges.iter().any(|(own, range)| own == v && is_nonnegative(range));
+    let (nonnegative, others) = variables.into_iter().partition(fits);
+    [nonnegative, others]
 }
 
 fn without_premises(domain: &Domain) -> Rc<Domain> {
@@ -547,8 +507,7 @@ fn common(p: &Poly, domain: &Domain) -> Poly {
     let mut factor = Poly::one();
     for (var, range) in &ranges(domain) {
         let power = p.terms().map(|(m, _)| m.exponent(*var)).min().unwrap_or(0);
-        let nonnegative = range.low.value().is_some_and(|x| !x.is_negative());
-        let power = if nonnegative { power } else { power - power % 2 };
+        let power = if is_nonnegative(range) { power } else { power - power % 2 };
         factor = &factor * &Poly::var(*var).pow(u32::from(power));
     }
     factor
