@@ -1,4 +1,5 @@
-//! Runs a target on its corpus and on random changes of it, without instrumentation: `replay TARGET [SECONDS [SEED]]`.
+//! Runs a target on its corpus and on random changes of it, without instrumentation: `replay TARGET [SECONDS [SEED [FOLDER]]]`.
+//! The corpus is that of the target in `fuzz/corpus`, or the files of the folder.
 //!
 //! Says how many inputs were run. An input that panics is written to `fuzz/crashes`; one that takes more than 10 seconds is an
 //! error as well.
@@ -78,7 +79,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     // What is only read is of the same language.
     let language = if name == "parser" { "spec" } else { name };
     let mut corpus = Vec::new();
-    let mut paths: Vec<_> = fs::read_dir(folder.join("corpus").join(language))?.collect::<Result<_, _>>()?;
+    let own = folder.join("corpus").join(language);
+    let inputs = arguments.get(3).map_or(own.as_path(), Path::new);
+    let mut paths: Vec<_> = fs::read_dir(inputs)?.collect::<Result<_, _>>()?;
     paths.sort_by_key(fs::DirEntry::path);
     for entry in paths {
         corpus.push(fs::read(entry.path())?);

@@ -49,7 +49,7 @@ impl Monomial {
         if exponents.len() > PACKED || exponents.iter().any(|e| *e > 255) {
             return Self(Wide(exponents));
         }
-        Self(Packed(exponents.iter().enumerate().fold(0, |all, (i, e)| all | u128::from(*e) << shift(i))))
+        Self(Packed(exponents.iter().enumerate().fold(0, |all, (i, e)| all + (u128::from(*e) << shift(i)))))
     }
 
     /// The exponent of a variable.
@@ -67,7 +67,7 @@ impl Monomial {
             && var.0 < PACKED
             && exponent <= 255
         {
-            return Self(Packed(all & !(0xff << shift(var.0)) | u128::from(exponent) << shift(var.0)));
+            return Self(Packed((all & !(0xff << shift(var.0))) + (u128::from(exponent) << shift(var.0))));
         }
         let mut e = self.exponents();
         if e.len() <= var.0 {

@@ -3,6 +3,7 @@
 use basis_kernel::algebra::poly::{Poly, Var};
 use basis_kernel::algebra::rational::Rational;
 
+mod arithmetic;
 mod forged;
 mod signs;
 mod tables;
