@@ -300,6 +300,11 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
                 "write `prove at t = 0, λ = 1 { b[0] = 1; }`, with a comma between values and no parentheses";
             return error(input.span(), e.to_string(), help);
         }
+        if is_missing_operator(&e) && at_word(input, "and") {
+            let help =
+                "values of several variables are separated by commas, `at t = 0, λ = 1 { … }`; each point has a block of its own";
+            return error(input.span(), "`and` cannot be used here", help);
+        }
         let braces = is_missing_semicolon(&e) || is_missing_operator(&e) && begins_equation(input);
         if !braces {
             return e;

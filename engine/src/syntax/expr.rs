@@ -13,7 +13,7 @@ use super::error::error;
 use super::glyphs::MAX_NESTING;
 use super::side_by_side::{missing_operator, power_of_function};
 use super::tokens::{comparison, join, name, number, unexpected};
-use super::{Condition, Expr, ExprKind, Generator, IndexRange, Loops, Role, Sign};
+use super::{Comparison, Condition, Expr, ExprKind, Generator, IndexRange, Loops, Role, Sign};
 
 /// The most index variables of one `for`, and the most indices of a function.
 pub(super) const MAX_INDICES: usize = 16;
@@ -305,10 +305,15 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
                 ));
             }
             if !parts.is_empty() || !content.is_empty() {
+                let help = if parts.is_empty() && content.peek(Token![,]) {
+                    "write `sum(t^i for i in 0..=n)`, with a condition behind the loop: `sum(t^i for i in 0..=n if i != j)`"
+                } else {
+                    "write `sum(t^i for i in 0..=n)`"
+                };
                 return Err(error(
                     part.span,
                     "an expression with `for` has to be alone between its brackets",
-                    "write `sum(t^i for i in 0..=n)`",
+                    help,
                 ));
             }
             let span = part.span;
@@ -322,6 +327,14 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
 
 const CONDITIONS: &str = "conditions stand behind loops, `for i in 0..=n if i != 1`, and at the end of a statement: write a statement for each case, `… if i == 0;`";
 
+/// Whether what follows is `= 1/2` and the end of an argument, and no range.
+fn gives_a_value(content: ParseStream<'_>) -> bool {
+    let ahead = content.fork();
+    matches!(comparison(&ahead), Ok(Some(Comparison::Equal)))
+        && sum(&ahead, 0).is_ok()
+        && (ahead.is_empty() || ahead.peek(Token![,]))
+}
+
 fn separator(content: ParseStream<'_>) -> Result<()> {
     if content.peek(Token![,]) {
         content.parse::<Token![,]>()?;
@@ -330,7 +343,9 @@ fn separator(content: ParseStream<'_>) -> Result<()> {
         return Err(error(content.span(), found, "write `,` between arguments, as in `D(b[0], t)`"));
     } else if !content.is_empty() {
         let found = unexpected(content, "`,` or an operator");
-        let help = if content.peek(Token![=]) || content.peek(Token![in]) {
+        let help = if gives_a_value(content) {
+            "a value stands between the parentheses without the name of its variable: `b[0](0)`, `D(b[0])(1/2)`"
+        } else if content.peek(Token![=]) || content.peek(Token![in]) {
             "write the loop of a sum behind the expression, `sum(t^i for i in 0..=3)`, the bounds of an integral one by one, `integral(b[0], t, 0, 1)`"
         } else if content.peek(Token![if]) {
             CONDITIONS

@@ -78,7 +78,12 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
             Some((TokenTree::Group(g), _)) => ("<=", g.stream().to_string()),
             _ => ("", String::new()),
         };
+        let names: Vec<&str> = name.trim_matches(['(', ')']).split(',').map(str::trim).collect();
         let help = match ends.split_once(',') {
+            Some(_) if names.len() > 1 => {
+                let each: Vec<String> = names.iter().map(|name| format!("0 <= {name} <= 1")).collect();
+                format!("write a range for each variable: `{}`", each.join(", "))
+            }
             Some((low, high)) if !high.contains(',') => {
                 let [low, high] = [low, high].map(|end| end.trim().replace("- ", "-"));
                 format!("write `{low} {sign} {name} {sign} {high}`")

@@ -87,6 +87,12 @@ pub(super) fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<
             "ranges are declared, `shape 0 <= λ <= 1;` (in theorems `scalar`), conditions `assume λ <= μ;`; index variables follow after `for`, and what holds of them and of index parameters after `if`: `if n > 1`"
         }
         "at" => "a place comes first: `prove at t = 0 { b[0] = 1; }`",
+        "eps" | "epsilon" | "ε" | "ulp" | "ulps" if matches!(before.kind, ExprKind::Number(_)) => {
+            "a bound of rounding errors is a number, in units of ε: `rounding <= 5`"
+        }
+        _ if matches!(before.kind, ExprKind::List(_)) => {
+            "a range is written with its variable inside: `domain 0 <= t <= 1;`"
+        }
         "triangle" | "tetrahedron" => {
             "the factors of a domain are separated by commas: `domain -1 <= z <= 1, triangle (u, v, w);`"
         }

@@ -274,6 +274,10 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
                 let help = "an index variable belongs to one equation; what it is at a place is its value there: `D(b[i])(i/n) = 0 for i in 1..n;`";
                 return Err(error(input.span(), "`for` does not follow after a block", help));
             }
+            if input.peek(Token![if]) {
+                let help = "a condition belongs to one equation: `prove at t = 0 { b[0] = 1 if n == 1; }`";
+                return Err(error(input.span(), "`if` does not follow after a block", help));
+            }
             return Ok(claim.keyword);
         }
         Some(StatementKind::Base(order, _)) => return Ok(order.name.span),

@@ -196,11 +196,13 @@ fn target(input: ParseStream<'_>) -> Result<Expr> {
     if fine {
         return Ok(target);
     }
-    Err(error(
-        target.span,
-        "`let` gives a value to a name or to a control point",
-        "write `let c = …;` or `let Q[1] = …;`: an equation is solved for the control point",
-    ))
+    let named = |all: &[Expr]| all.iter().all(|argument| matches!(argument.kind, ExprKind::Name(_)));
+    let help = if matches!(&target.kind, ExprKind::Call(_, arguments) if named(arguments)) {
+        "names with arguments stand in families; here write the expression where it is needed"
+    } else {
+        "write `let c = …;` or `let Q[1] = …;`: an equation is solved for the control point"
+    };
+    Err(error(target.span, "`let` gives a value to a name or to a control point", help))
 }
 
 /// `left == right for …`, with any comparison or `parallel`.

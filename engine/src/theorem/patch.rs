@@ -88,8 +88,13 @@ impl Elaboration<'_> {
             for o in calls.next().unwrap_or_default() {
                 if self.scope.mentions_variable(o) {
                     let error = self.scope.error(o.span, "the order of a family is a number here");
+                    let shapes = if calls.len() == 0 {
+                        String::new()
+                    } else {
+                        format!("; shape values follow: `{name}(3)(λ)`")
+                    };
                     self.scope.report(error.help(format!(
-                        "a {} is about one order of each family: write `{name}(3)`",
+                        "a {} is about one order of each family: write `{name}(3)`{shapes}",
                         self.kind.keyword()
                     )));
                     return None;

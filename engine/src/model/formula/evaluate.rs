@@ -236,7 +236,7 @@ impl Scope<'_> {
             (Value::List(_), Value::List(_)) => {
                 self.report(
                     self.error(span, "two lists cannot be multiplied")
-                        .help("multiply single functions, such as `b[0]*b[1]`"),
+                        .help("multiply single functions, such as `b[0]*b[1]`, those of families `Bernstein(2)[i](u)*Bernstein(3)[j](v)`"),
                 );
                 None
             }
@@ -451,9 +451,16 @@ impl Scope<'_> {
             _ => self.value(base)?,
         };
         if let Value::Scalar(_) = value {
-            if !matches!(&base.kind, ExprKind::Name(name) if self.is_mistaken(name)) {
-                self.report(self.error(base.span, "this has no index: it is a single function"));
-            }
+            let name = if let ExprKind::Name(name) = &base.kind { Some(name) } else { None };
+            let error = match name {
+                Some(name) if self.is_mistaken(name) => return None,
+                Some(name) if self.variable(name).is_some_and(|v| !self.domain.contains(&v)) => self
+                    .error(base.span, format!("`{name}` has no index"))
+                    .help(format!("several shape parameters are declared with one: `shape 0 <= {name}[i] <= 1 for i in 0..=2;`")),
+                Some(name) => self.error(base.span, format!("`{name}` has no index: it is a single expression")),
+                None => self.error(base.span, "this has no index: it is a single function"),
+            };
+            self.report(error);
             return None;
         }
         self.entry(&value, &index, span)

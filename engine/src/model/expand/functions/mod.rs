@@ -105,6 +105,11 @@ fn once(scope: &Scope<'_>, first: &mut Option<Span>, span: Span, what: &str, hel
 /// `raise` without the functions it starts from.
 fn no_base(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef) {
     let error = scope.error(def.name.span, "`raise` needs the functions of the lowest order before it");
+    if written.statements.iter().any(|s| matches!(s.kind, StatementKind::Base(..))) {
+        scope.report(error.help("`base` and its functions come first, then `raise`"));
+        scope.cut_short = true;
+        return;
+    }
     let order = written.orders.first().and_then(|order| Some((&order.name.text, scope.bounds(order)?.0)));
     scope.report(match order {
         Some((name, lowest)) => error.help(format!("write `base {name} = {lowest} {{ … }}`")),
@@ -326,6 +331,14 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
     for i in &def.indices {
         match &i.kind {
             syntax::ExprKind::Name(name) if scope.taken(name).is_none() => names.push(name.clone()),
+            syntax::ExprKind::Name(name) if name == order => {
+                let error = scope.error(i.span, format!("`{name}` is the order, and no index"));
+                scope.report(
+                    error.help("the functions on the left are those of this order: `raise b[i] = …;`"),
+                );
+                scope.cut_short = true;
+                return;
+            }
             _ => {
                 let error = scope.error(i.span, "`raise` needs a new name for each index");
                 scope.report(error.help("write `raise b[i,j,k] = …;`"));

@@ -345,7 +345,13 @@ fn target(scope: &mut Scope<'_>, decl: &ShapeDecl, k: usize, others: &Others) ->
         return ControlFlow::Break(Some(name));
     };
     let error = scope.error(name.span, format!("`{first}` {what}"));
-    scope.report(error.help("ranges depend on numbers and on shape parameters that are declared before"));
+    let chain = if what.starts_with("is declared") {
+        "; one chain declares several, `shape 0 <= λ <= μ <= 1;`"
+    } else {
+        ""
+    };
+    let help = "ranges depend on numbers and on shape parameters that are declared before";
+    scope.report(error.help(format!("{help}{chain}")));
     ControlFlow::Break(None)
 }
 
