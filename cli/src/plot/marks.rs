@@ -1,7 +1,7 @@
 //! Counterexamples as marks in a picture.
 
 use super::failures::Failure;
-use super::frame::{BAD, FAINT};
+use super::pictures::frame::{BAD, FAINT};
 use super::settings::Setting;
 
 /// A point to be marked in a picture.

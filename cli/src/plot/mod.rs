@@ -3,14 +3,11 @@
 //! Values of quotients of polynomials are computed exactly and rounded once, to the place of a point in the picture; those
 //! of sines and exponentials in floating point.
 
-mod curve;
 mod cut;
 mod failures;
-mod frame;
-mod lines;
-mod maps;
 mod marks;
 mod page;
+mod pictures;
 #[cfg(feature = "png")]
 mod raster;
 mod samples;
@@ -31,6 +28,7 @@ use crate::{eval, spec};
 use cut::Cut;
 use failures::Failure;
 use marks::Mark;
+use pictures::{lines, maps};
 use settings::Setting;
 
 /// What is drawn.

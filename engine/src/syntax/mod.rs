@@ -6,10 +6,8 @@ mod claims;
 mod error;
 mod expr;
 mod glyphs;
-mod latex;
 mod parse;
 mod ranges;
-mod side_by_side;
 mod statements;
 mod theorems;
 mod tokens;
@@ -17,7 +15,7 @@ mod tree;
 mod words;
 
 pub use error::{SyntaxError, SyntaxErrors, SyntaxPlace};
-pub use latex::GREEK;
+pub use glyphs::GREEK;
 pub use parse::{parse_text, parse_tokens};
 pub use tree::{Expr, ExprKind, Role, Sign};
 

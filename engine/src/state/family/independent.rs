@@ -9,8 +9,8 @@ use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
 use std::rc::Rc;
 
 use super::point::{domain_names, named_point};
+use super::positivity::minors::determinant;
 use super::premises::{self, Positive};
-use super::total::determinant;
 use super::{Said, beside};
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::fraction::Fraction;

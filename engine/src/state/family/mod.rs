@@ -5,7 +5,6 @@ mod beside;
 #[cfg(not(feature = "angles"))]
 #[path = "no_beside.rs"]
 mod beside;
-mod chebyshev;
 mod identity;
 mod independent;
 mod point;
@@ -15,9 +14,7 @@ mod premises;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
 mod spans;
-mod total;
 mod witness;
-mod wronskian;
 
 use std::rc::Rc;
 
@@ -37,6 +34,7 @@ use crate::claim::{Claim, ClaimKind, Comparison, Joint};
 use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
+use positivity::{chebyshev, minors, wronskian};
 #[cfg(feature = "joins")]
 pub(in crate::state) use premises::{counterexample as premises_counterexample, without as without_premises};
 use witness::witness;
@@ -199,7 +197,7 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
     };
     // What total positivity says plainly is only what must hold: its minors are not listed.
     if is_total && !plainly && !by_wronskians && !chebyshev::is_mixed(family) {
-        return basis_prover::working(family.budget, &mut |work| total::said(family, work));
+        return basis_prover::working(family.budget, &mut |work| minors::said(family, work));
     }
     let mut parts = inequality::parts(family, kind.fixed());
     if let ClaimKind::Continuity(Joint { free, .. }) = kind {
@@ -573,7 +571,7 @@ pub(in crate::state) fn minors(
     family: &Family,
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
-    total::instances(family, given)
+    minors::instances(family, given)
 }
 
 /// How a claim was proved, in a few words.

@@ -3,16 +3,16 @@
 use svg::node::element::{Group, Line, Path, Rectangle, Text};
 
 /// The family of letters.
-pub(super) const FONT: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
+pub(in crate::plot) const FONT: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
 
 /// The colour of text and axes.
-pub(super) const INK: &str = "#222222";
+pub(in crate::plot) const INK: &str = "#222222";
 
 /// The colour of what is less important.
-pub(super) const FAINT: &str = "#6b6b6b";
+pub(in crate::plot) const FAINT: &str = "#6b6b6b";
 
 /// The colour of what fails.
-pub(super) const BAD: &str = "#c1121f";
+pub(in crate::plot) const BAD: &str = "#c1121f";
 
 /// Eight colours that differ for every eye (Okabe and Ito), darkened where they would be too light on white.
 const COLOURS: [[u8; 3]; 8] = [
@@ -31,34 +31,34 @@ const SCALE: [[u8; 3]; 6] =
     [[58, 30, 110], [49, 80, 150], [30, 125, 140], [40, 160, 110], [130, 175, 50], [205, 165, 20]];
 
 /// The colour of one of several functions.
-pub(super) fn colour(k: usize, of: usize) -> [u8; 3] {
+pub(in crate::plot) fn colour(k: usize, of: usize) -> [u8; 3] {
     if of <= COLOURS.len() { COLOURS[k % COLOURS.len()] } else { scale(k as f64 / (of - 1) as f64) }
 }
 
 /// How the line of one of several functions is broken: neighbours on the scale of colours are too much alike where they cross.
-pub(super) fn dashes(k: usize, of: usize) -> Option<&'static str> {
+pub(in crate::plot) fn dashes(k: usize, of: usize) -> Option<&'static str> {
     if of <= COLOURS.len() { None } else { [None, Some("8 4"), Some("2 3")][k % 3] }
 }
 
 /// The colour at a place from 0 to 1 of the scale.
-pub(super) fn scale(at: f64) -> [u8; 3] {
+pub(in crate::plot) fn scale(at: f64) -> [u8; 3] {
     let at = at.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;
     let k = (at as usize).min(SCALE.len() - 2);
     mix(SCALE[k], SCALE[k + 1], at - k as f64)
 }
 
 /// A colour between two.
-pub(super) fn mix(a: [u8; 3], b: [u8; 3], at: f64) -> [u8; 3] {
+pub(in crate::plot) fn mix(a: [u8; 3], b: [u8; 3], at: f64) -> [u8; 3] {
     [0, 1, 2].map(|k| (f64::from(a[k]) * (1.0 - at) + f64::from(b[k]) * at).round() as u8)
 }
 
 /// A colour as it is written.
-pub(super) fn hex([r, g, b]: [u8; 3]) -> String {
+pub(in crate::plot) fn hex([r, g, b]: [u8; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 /// A line of text.
-pub(super) fn text(content: &str, x: f64, y: f64, size: f64, anchor: &str, colour: &str) -> Text {
+pub(in crate::plot) fn text(content: &str, x: f64, y: f64, size: f64, anchor: &str, colour: &str) -> Text {
     Text::new(content)
         .set("x", rounded(x))
         .set("y", rounded(y))
@@ -69,12 +69,12 @@ pub(super) fn text(content: &str, x: f64, y: f64, size: f64, anchor: &str, colou
 }
 
 /// A number with at most two decimals.
-pub(super) fn rounded(x: f64) -> f64 {
+pub(in crate::plot) fn rounded(x: f64) -> f64 {
     (x * 100.0).round() / 100.0
 }
 
 /// Round numbers that divide a range into about this number of parts.
-pub(super) fn ticks(low: f64, high: f64, parts: f64) -> Vec<f64> {
+pub(in crate::plot) fn ticks(low: f64, high: f64, parts: f64) -> Vec<f64> {
     let raw = (high - low) / parts;
     if !raw.is_finite() || raw <= 0.0 {
         return Vec::new();
@@ -88,7 +88,7 @@ pub(super) fn ticks(low: f64, high: f64, parts: f64) -> Vec<f64> {
 }
 
 /// A round number as it is written.
-pub(super) fn number(x: f64) -> String {
+pub(in crate::plot) fn number(x: f64) -> String {
     let text = format!("{:.6}", x + 0.0);
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" || text.is_empty() { String::from("0") } else { text.replace('-', "\u{2212}") }
@@ -96,18 +96,18 @@ pub(super) fn number(x: f64) -> String {
 
 /// A rectangle of a picture with the ranges of its two axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(in crate::plot) struct Frame {
     /// Left, top, width and height.
-    pub(super) place: [f64; 4],
+    pub(in crate::plot) place: [f64; 4],
     /// What stands at the left and the right.
-    pub(super) x: [f64; 2],
+    pub(in crate::plot) x: [f64; 2],
     /// What stands at the bottom and the top.
-    pub(super) y: [f64; 2],
+    pub(in crate::plot) y: [f64; 2],
 }
 
 impl Frame {
     /// Where a point is drawn.
-    pub(super) fn at(&self, x: f64, y: f64) -> [f64; 2] {
+    pub(in crate::plot) fn at(&self, x: f64, y: f64) -> [f64; 2] {
         let [left, top, width, height] = self.place;
         let across = (x - self.x[0]) / (self.x[1] - self.x[0]);
         let up = (y - self.y[0]) / (self.y[1] - self.y[0]);
@@ -115,7 +115,7 @@ impl Frame {
     }
 
     /// The axes with their numbers and a light grid; `name` is that of the horizontal axis.
-    pub(super) fn axes(&self, name: &str) -> Group {
+    pub(in crate::plot) fn axes(&self, name: &str) -> Group {
         let [left, top, width, height] = self.place;
         let border = Rectangle::new()
             .set("x", left)
@@ -148,7 +148,7 @@ impl Frame {
     }
 
     /// A line through points; nothing is drawn where there is none.
-    pub(super) fn path(&self, points: &[[Option<f64>; 2]], colour: &str, width: f64) -> Path {
+    pub(in crate::plot) fn path(&self, points: &[[Option<f64>; 2]], colour: &str, width: f64) -> Path {
         let mut data = String::new();
         let mut pen_down = false;
         for [x, y] in points {
@@ -170,7 +170,7 @@ impl Frame {
 }
 
 /// A range that holds all numbers, with some room; at least a small one.
-pub(super) fn extent(values: impl Iterator<Item = f64>, room: f64) -> [f64; 2] {
+pub(in crate::plot) fn extent(values: impl Iterator<Item = f64>, room: f64) -> [f64; 2] {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
     if low > high {
         return [0.0, 1.0];

@@ -4,11 +4,11 @@ use basis_engine::Diagnostic;
 use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use svg::node::element::{Circle, Group, Path, Polygon, Rectangle, Title};
 
-use super::Scene;
 use super::frame::{FAINT, INK, hex, mix, number, rounded, scale, text, ticks};
 use super::lines::{document, pretty, wrapped};
-use super::values::{Functions, between};
 use crate::output::error;
+use crate::plot::Scene;
+use crate::plot::values::{Functions, between};
 
 /// More functions than this are too small to be seen.
 const MAX_PANELS: usize = 66;
@@ -25,7 +25,7 @@ struct Cell {
 }
 
 /// The picture.
-pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
+pub(in crate::plot) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
     let family = &scene.family;
     let count = family.functions.len();
     if count > MAX_PANELS {

@@ -16,9 +16,6 @@ use basis_kernel::{Relation, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, Failure, Symmetries, candidates, decide, refute};
 
-use super::Said;
-use super::point::{domain_names, named_point};
-use super::premises;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::rational::Rational;
@@ -27,19 +24,21 @@ use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::model::bernstein::bernstein_table;
 use crate::model::chart::Piece;
+use crate::state::family::point::{domain_names, named_point};
+use crate::state::family::{Said, on_part, premises};
 use crate::state::verdict::{Stated, Witness};
 
 /// How often the degree is raised at most.
 const MAX_RAISED: usize = 12;
 
 /// The most functions of a minor that is looked for; beyond, a claim that is not proved is left undecided.
-pub(super) const MAX_FUNCTIONS: usize = 24;
+pub(in crate::state::family) const MAX_FUNCTIONS: usize = 24;
 
 /// What is left to decide when there is neither a proof nor a negative minor.
-pub(super) const OPEN: &str = "no conversion matrix to a Bernstein basis was found to be totally nonnegative, and no minor of the functions to be negative";
+pub(in crate::state::family) const OPEN: &str = "no conversion matrix to a Bernstein basis was found to be totally nonnegative, and no minor of the functions to be negative";
 
 /// What is said of more functions than are looked at.
-pub(super) const TOO_MANY: &str = "there are more minors than the budget allows";
+pub(in crate::state::family) const TOO_MANY: &str = "there are more minors than the budget allows";
 
 /// A step of the elimination on a part of the shape values: what has to be ≥ 0.
 struct Step {
@@ -51,14 +50,14 @@ struct Step {
 }
 
 /// The statements from which total positivity follows; `None` when the work is spent or there is no elimination.
-pub(super) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
+pub(in crate::state::family) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
     let parts = family.pieces(&[], &[], true).len();
     let mut all = Vec::new();
     for Step { number, piece, of, statement } in steps(family, work)? {
         let enough = premises::without(&statement).unwrap_or_else(|| vec![statement]);
         for statement in enough {
             // A matrix in another basis may have a step below 0.
-            let stated = Stated::new(super::on_part(&of, number, parts), statement);
+            let stated = Stated::new(on_part(&of, number, parts), statement);
             let stated = Stated { is_stronger: true, ..stated };
             all.push(Said { stated, of: of.clone(), piece: piece.clone() });
         }
@@ -176,7 +175,10 @@ fn fractions(rows: &[Vec<Poly>]) -> Vec<Vec<Fraction>> {
 
 /// Neville elimination of a matrix, and of the transpose of what is left: everything that has to be ≥ 0; `None` when it
 /// needs an exchange of rows, or the work is spent.
-pub(super) fn elimination(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<Vec<Fraction>> {
+pub(in crate::state::family) fn elimination(
+    mut rows: Vec<Vec<Fraction>>,
+    work: &mut Work,
+) -> Option<Vec<Fraction>> {
     let mut all = Vec::new();
     for _ in 0..2 {
         echelon(&mut rows, &mut all, work)?;
@@ -233,7 +235,10 @@ fn subtract(row: &mut [Fraction], other: &[Fraction], factor: &Fraction, work: &
 ///
 /// # Errors
 /// What is wrong with the points, the first list, or with the numbers of the functions, the second.
-pub(super) fn instances(family: &Family, given: &[Vec<Rational>]) -> Result<Vec<Stated>, &'static str> {
+pub(in crate::state::family) fn instances(
+    family: &Family,
+    given: &[Vec<Rational>],
+) -> Result<Vec<Stated>, &'static str> {
     let [points, functions] = given else { return Err("a minor has points and functions") };
     let range = family.domain.first().map(|p| &p.range).ok_or("there is no domain")?;
     let rising = |list: &[Rational]| list.windows(2).all(|pair| pair[0] < pair[1]);
@@ -256,7 +261,7 @@ pub(super) fn instances(family: &Family, given: &[Vec<Rational>]) -> Result<Vec<
     }
     let pieces = family.pieces(&[], &[], true);
     let stated = |(number, piece): (usize, &Piece)| {
-        let of = super::on_part(&label(family, &numbers, points), number, pieces.len());
+        let of = on_part(&label(family, &numbers, points), number, pieces.len());
         let (value, domain) = (piece.pull_back_fraction(&value)?, Rc::new(piece.domain()));
         Some(Stated::new(of, Statement::Sign { value, relation: Relation::NonNegative, domain }))
     };
@@ -277,7 +282,10 @@ fn minor(family: &Family, functions: &[usize], points: &[Rational]) -> Option<Fr
 }
 
 /// The determinant of a matrix; `None` where the work is spent.
-pub(super) fn determinant(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<Fraction> {
+pub(in crate::state::family) fn determinant(
+    mut rows: Vec<Vec<Fraction>>,
+    work: &mut Work,
+) -> Option<Fraction> {
     let mut product = Fraction::constant(Rational::ONE);
     for k in 0..rows.len() {
         let Some(pivot) = (k..rows.len()).find(|r| !rows[*r][k].is_zero()) else {
@@ -310,7 +318,7 @@ fn label(family: &Family, functions: &[usize], points: &[Rational]) -> String {
 
 /// A negative minor at some rational points and shape values: at some of these, then where a step of the elimination is
 /// negative.
-pub(super) fn refutation(family: &Family, work: &mut Work) -> Option<Witness> {
+pub(in crate::state::family) fn refutation(family: &Family, work: &mut Work) -> Option<Witness> {
     let pieces = family.pieces(&[], &[], true);
     let at_samples = |(number, piece): (usize, &Piece), work: &mut Work| {
         let points = [samples(piece), corners(piece)].concat();

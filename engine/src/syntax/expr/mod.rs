@@ -2,6 +2,8 @@
 //!
 //! From loose to tight: `+ -`, `* /`, unary `-`, `^` (to the right), then calls and indices.
 
+mod side_by_side;
+
 use basis_prover::collections::list::Listed;
 use proc_macro2::{Delimiter, Literal, TokenTree};
 use syn::buffer::Cursor;
@@ -9,9 +11,9 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Result, Token};
 
+use self::side_by_side::{missing_operator, power_of_function};
 use super::error::error;
 use super::glyphs::MAX_NESTING;
-use super::side_by_side::{missing_operator, power_of_function};
 use super::tokens::{comparison, join, name, number, unexpected};
 use super::{Comparison, Condition, Expr, ExprKind, Generator, IndexRange, Loops, Role, Sign};
 

@@ -2,10 +2,14 @@
 //!
 //! The lexer would say only "cannot parse"; formulas copied from papers deserve a better answer.
 
+mod latex;
+
+pub use latex::GREEK;
+
 use std::borrow::Cow;
 
+use self::latex::Pasted;
 use super::error::{SyntaxError, SyntaxPlace};
-use super::latex::{self, Pasted};
 use crate::plural::count;
 
 /// Brackets nested deeper than this are refused, before they can exhaust the stack.

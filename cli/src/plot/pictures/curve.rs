@@ -2,15 +2,21 @@
 
 use svg::node::element::{Circle, Group, Rectangle, Title};
 
-use super::Scene;
 use super::frame::{FAINT, Frame, INK, extent, hex, mix, text};
-use super::samples::{Sampled, strength};
+use crate::plot::Scene;
+use crate::plot::samples::{Sampled, strength};
 
 /// The colour of curves.
 const CURVE: [u8; 3] = [0, 90, 160];
 
 /// The curves with their control polygon, in a square from `left` and `top` on; and where it ends.
-pub(super) fn curve(scene: &Scene, samples: &[Sampled], left: f64, top: f64, size: f64) -> (Group, f64) {
+pub(in crate::plot) fn curve(
+    scene: &Scene,
+    samples: &[Sampled],
+    left: f64,
+    top: f64,
+    size: f64,
+) -> (Group, f64) {
     let points = &scene.points;
     let curves: Vec<Vec<[Option<f64>; 2]>> = samples.iter().map(|s| through(points, s)).collect();
     let coordinates = |axis: usize| {

@@ -21,29 +21,29 @@
 
 use basis_prover::collections::list::{Listed, Mapped};
 
-use super::total::determinant;
+use super::minors::determinant;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
 use crate::model::{Family, Function};
 
 /// The work for a first look for a point at which one is negative, before a proof is searched.
-pub(super) const FIRST_LOOK: u64 = 2_000_000;
+pub(in crate::state::family) const FIRST_LOOK: u64 = 2_000_000;
 
 /// The work for finding such a point where there is no proof.
-pub(super) const WORK: u64 = 20_000_000;
+pub(in crate::state::family) const WORK: u64 = 20_000_000;
 
 /// The work for a first proof, before another kind of proof gets all that there is.
-pub(super) const FIRST_PROOF: u64 = 2_000_000;
+pub(in crate::state::family) const FIRST_PROOF: u64 = 2_000_000;
 
 /// The number that stands in certificates for a proof by Wronskians.
-pub(super) const BY_WRONSKIANS: usize = 100;
+pub(in crate::state::family) const BY_WRONSKIANS: usize = 100;
 
 /// A method in words.
-pub(super) const METHOD: &str = "positive Wronskians of neighbouring functions";
+pub(in crate::state::family) const METHOD: &str = "positive Wronskians of neighbouring functions";
 
 /// The family on its domain without ends.
-pub(super) fn inside(family: &Family) -> Family {
+pub(in crate::state::family) fn inside(family: &Family) -> Family {
     let mut inside = family.clone();
     for parameter in &mut inside.domain {
         parameter.range = basis_prover::sign::open(&parameter.range);
@@ -52,7 +52,10 @@ pub(super) fn inside(family: &Family) -> Family {
 }
 
 /// What is enough for all minors to be ≥ 0; `None` when the work is spent.
-pub(super) fn sufficient(family: &Family, work: &mut Work) -> Option<Vec<(String, Fraction, Comparison)>> {
+pub(in crate::state::family) fn sufficient(
+    family: &Family,
+    work: &mut Work,
+) -> Option<Vec<(String, Fraction, Comparison)>> {
     let count = family.functions.len();
     let mut jets = family.functions.mapped(|f| vec![f.value.clone()]);
     let mut all = Vec::new();
@@ -71,7 +74,10 @@ pub(super) fn sufficient(family: &Family, work: &mut Work) -> Option<Vec<(String
 
 /// The Wronskians that are looked at: of one function each, of all pairs, and of neighbouring functions; those for which the work
 /// suffices.
-pub(super) fn conditions(family: &Family, work: &mut Work) -> Vec<(String, Fraction, Comparison)> {
+pub(in crate::state::family) fn conditions(
+    family: &Family,
+    work: &mut Work,
+) -> Vec<(String, Fraction, Comparison)> {
     let functions = family.functions.iter().enumerate();
     let single =
         |(k, f): (usize, &Function)| (family.function_label(k), f.value.clone(), Comparison::GreaterEqual);

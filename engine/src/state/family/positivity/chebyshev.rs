@@ -20,7 +20,7 @@
 
 use basis_prover::collections::list::Listed;
 
-use super::total::elimination;
+use super::minors::elimination;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
@@ -31,18 +31,21 @@ use crate::model::Family;
 const MAX_FUNCTIONS: usize = 7;
 
 /// What is left to decide where there is no proof; minors of such functions are not looked at.
-pub(super) const OPEN: &str = "no functions of the span were found that vanish at the ends as Bernstein polynomials do, of which these \
+pub(in crate::state::family) const OPEN: &str = "no functions of the span were found that vanish at the ends as Bernstein polynomials do, of which these \
                                are made by a totally nonnegative matrix, nor could the Wronskians of neighbouring functions be shown \
                                to be positive";
 
 /// Whether a variable or a shape parameter stands beside its sine or exponential in a function.
-pub(super) fn is_mixed(family: &Family) -> bool {
+pub(in crate::state::family) fn is_mixed(family: &Family) -> bool {
     family.functions.iter().any(|f| family.analytic.beside(&f.value).next().is_some())
 }
 
 /// What is enough for all minors to be ≥ 0, each with its name; `None` where no functions of the span vanish at the ends as the
 /// theorem has it, or the work is spent.
-pub(super) fn conditions(family: &Family, work: &mut Work) -> Option<Vec<(String, Fraction, Comparison)>> {
+pub(in crate::state::family) fn conditions(
+    family: &Family,
+    work: &mut Work,
+) -> Option<Vec<(String, Fraction, Comparison)>> {
     let last = family.functions.len().checked_sub(1).filter(|last| *last < MAX_FUNCTIONS)?;
     let [low, _] = family.end_texts()?;
     let mut ends = [Vec::new(), Vec::new()];

@@ -5,11 +5,12 @@ use basis_engine::{Diagnostic, Family};
 use svg::Document;
 use svg::node::element::{Circle, Group, Line, Rectangle, Title};
 
+use super::curve::curve;
 use super::frame::{FAINT, Frame, INK, colour, dashes, extent, hex, mix, rounded, text};
-use super::samples::{sampled, strength};
-use super::values::{Functions, pieces};
-use super::{Mark, Scene, curve};
 use crate::domain;
+use crate::plot::samples::{sampled, strength};
+use crate::plot::values::{Functions, pieces};
+use crate::plot::{Mark, Scene};
 
 /// The size of the rectangle in which functions are drawn.
 const SIZE: [f64; 2] = [560.0, 380.0];
@@ -23,7 +24,7 @@ fn name<'f>(family: &'f Family, parameter: &'f Parameter) -> &'f str {
 }
 
 /// The picture.
-pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
+pub(in crate::plot) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
     let family = &scene.family;
     let samples = sampled(scene)?;
     let count = family.functions.len();
@@ -58,7 +59,7 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
     let (notes, mut height) = marks(scene, &frame, bottom);
     group = group.add(notes);
     if !scene.points.is_empty() {
-        let (drawn, right) = curve::curve(scene, &samples, width + 30.0, frame.place[1], SIZE[1]);
+        let (drawn, right) = curve(scene, &samples, width + 30.0, frame.place[1], SIZE[1]);
         group = group.add(drawn);
         width = right;
     }
@@ -67,7 +68,7 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
 }
 
 /// A whole picture: a white ground, the name and the ranges above.
-pub(super) fn document(scene: &Scene, width: f64, height: f64, content: Group) -> String {
+pub(in crate::plot) fn document(scene: &Scene, width: f64, height: f64, content: Group) -> String {
     let family = &scene.family;
     let title = text(&family.title(), 20.0, 26.0, 17.0, "start", INK).set("font-weight", "bold");
     let mut facts = domain::describe(family);
@@ -98,7 +99,7 @@ pub(super) fn document(scene: &Scene, width: f64, height: f64, content: Group) -
 }
 
 /// Signs and π as they are printed.
-pub(super) fn pretty(text: &str) -> String {
+pub(in crate::plot) fn pretty(text: &str) -> String {
     let is_sign = |c: char| !c.is_alphanumeric() && c != '_';
     let printed = |part: &str| match part.strip_prefix("pi").filter(|rest| rest.chars().all(is_sign)) {
         Some(rest) => format!("π{rest}"),
@@ -211,7 +212,7 @@ fn ring(scene: &Scene, mark: &Mark, frame: &Frame) -> Option<Ring> {
 }
 
 /// A text in lines of limited length, in characters.
-pub(super) fn wrapped(text: &str, most: usize) -> Vec<String> {
+pub(in crate::plot) fn wrapped(text: &str, most: usize) -> Vec<String> {
     let mut lines: Vec<String> = vec![String::new()];
     for word in text.split(' ') {
         let last = lines.len() - 1;

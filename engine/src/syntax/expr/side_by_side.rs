@@ -4,9 +4,9 @@ use proc_macro2::{Delimiter, TokenTree};
 use syn::Result;
 use syn::parse::ParseStream;
 
-use super::error::{NO_OPERATOR, error, missing_semicolon};
-use super::words::{PROPERTIES, text_of};
-use super::{Expr, ExprKind};
+use crate::syntax::error::{NO_OPERATOR, error, missing_semicolon};
+use crate::syntax::words::{PROPERTIES, text_of};
+use crate::syntax::{Expr, ExprKind};
 
 /// Functions that papers write without parentheses.
 const FUNCTIONS: [&str; 7] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "exp"];

@@ -1,11 +1,14 @@
 //! Whether functions are totally positive: the proofs and the counterexamples, in the order in which they are looked for.
 
+pub(super) mod chebyshev;
+pub(super) mod minors;
+pub(super) mod wronskian;
+
 use basis_prover::collections::list::Listed;
 use basis_prover::within;
 
 use super::{
-    Saying, Where, all, chebyshev, is_wider, proved, refuted_alone, refuted_among, refuted_under_premises,
-    said, total, wronskian,
+    Saying, Where, all, is_wider, proved, refuted_alone, refuted_among, refuted_under_premises, said,
 };
 use crate::claim::Claim;
 use crate::model::Family;
@@ -33,7 +36,8 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let Some(verdict) = found {
         return verdict;
     }
-    if let Some(witness) = basis_prover::working(family.budget, &mut |work| total::refutation(family, work)) {
+    if let Some(witness) = basis_prover::working(family.budget, &mut |work| minors::refutation(family, work))
+    {
         return Verdict::Refuted(Box::new(witness));
     }
     if let Some(verdict) = within(wronskian::WORK, &mut || refuted_by_wronskians(family, claim)) {
@@ -42,12 +46,12 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let Some(verdict) = wronskians() {
         return verdict;
     }
-    Verdict::Undecided(String::from(if family.functions.len() > total::MAX_FUNCTIONS {
-        total::TOO_MANY
+    Verdict::Undecided(String::from(if family.functions.len() > minors::MAX_FUNCTIONS {
+        minors::TOO_MANY
     } else if chebyshev::is_mixed(family) {
         chebyshev::OPEN
     } else {
-        total::OPEN
+        minors::OPEN
     }))
 }
 
