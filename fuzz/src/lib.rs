@@ -10,7 +10,7 @@ pub mod emitted;
 use std::rc::Rc;
 
 use basis_engine::algebra::work::Work;
-use basis_engine::query::format;
+use basis_engine::query::{forget_tokens, format};
 use basis_engine::{Disk, Library, Prover, Request, Severity, Source, Verdict};
 use basis_kernel::algebra::poly::{Poly, Var};
 use basis_kernel::algebra::range::{Range, Region};
@@ -40,6 +40,7 @@ fn as_text(data: &[u8]) -> Option<&str> {
 /// A spec as a file that is read and not expanded: every message can be shown, and without errors it has none in the standard
 /// layout either, which stays as it is.
 pub fn parser(data: &[u8]) {
+    forget_tokens(); // of the inputs before
     let Some(text) = as_text(data) else { return };
     let is_wrong = |text: &str| {
         let library = Library::from_source(&Disk, &Prover, Source::text("fuzz.basis", text));
@@ -60,6 +61,7 @@ pub fn parser(data: &[u8]) {
 
 /// A spec as a file: every message can be shown, every verdict checks out from the text of its certificate or witness.
 pub fn spec(data: &[u8]) {
+    forget_tokens(); // of the inputs before
     let Some(text) = as_text(data) else { return };
     let report = basis_engine::check(Source::text("fuzz.basis", text));
     for diagnostic in &report.diagnostics {
@@ -127,6 +129,7 @@ pub fn certificate(data: &[u8]) {
 
 /// A spec in a call of `basis!`, from its tokens: what comes out is Rust, or an error.
 pub fn tokens(data: &[u8]) {
+    forget_tokens(); // of the inputs before
     let Some(text) = as_text(data) else { return };
     let Ok(tokens) = text.parse::<proc_macro2::TokenStream>() else { return };
     let library = Library::from_tokens(&Disk, &Prover, tokens, None);

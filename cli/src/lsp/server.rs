@@ -18,7 +18,7 @@ use super::answers::{actions, complete, hover, marks, names, outline, words};
 use super::files::{self, Overlay};
 use super::position::Lines;
 use super::workspace::{Shown, Text, Workspace};
-use basis_engine::query::Analysis;
+use basis_engine::query::{Analysis, forget_tokens};
 
 /// How long claims are decided before messages are looked at again.
 const SLICE: Duration = Duration::from_millis(5);
@@ -154,6 +154,7 @@ impl Server {
         if let Some(k) = self.workspace.texts.iter().rposition(|t| t.shown != Shown::All) {
             if self.workspace.texts[k].analysis.is_none() {
                 let source = self.workspace.texts[k].source();
+                forget_tokens();
                 self.workspace.texts[k].analysis = Some(Analysis::new(&self.workspace.files, source));
             }
             let text = &mut self.workspace.texts[k];

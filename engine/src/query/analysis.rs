@@ -155,3 +155,29 @@ impl Analysis {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::query::forget_tokens;
+    use crate::source::Disk;
+
+    #[test]
+    fn verdicts_and_messages_need_no_tokens() {
+        let spec = "family Bent {\n    domain 0 <= t <= pi/2;\n    b[0] = 1 - sin(t);\n    b[1] = sin(t);\n\
+                    \n    prove partition_of_unity;\n    prove b[0] >= 1/2;\n    prove b[0](t/2) <= 1;\n    wrong;\n}\n";
+        let source = || Source::text("bent.basis", spec);
+        let mut at_once = Analysis::new(&Disk, source());
+        while at_once.decide_next() {}
+        let shown = |analysis: &Analysis| {
+            analysis.messages().iter().map(|m| m.render(&analysis.sources, false)).collect::<Vec<_>>()
+        };
+        let expected = shown(&at_once);
+        assert_eq!(expected.len(), 2, "{expected:?}");
+        let mut later = Analysis::new(&Disk, source());
+        forget_tokens();
+        while later.decide_next() {}
+        assert_eq!(shown(&later), expected);
+        assert_eq!(shown(&at_once), expected);
+    }
+}

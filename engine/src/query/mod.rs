@@ -25,5 +25,14 @@ pub use format::{FormatError, format};
 pub use lex::{Token, TokenKind, tokens};
 pub use vocabulary::{WORDS, Word, WordKind, is_name, word};
 
+/// Forgets the tokens of all texts that this thread has read. A program that reads for hours, as a language server does, would
+/// otherwise keep every version of a text.
+///
+/// What an [`Analysis`] or a [`Document`] holds stays valid; a [`Library`](crate::Library) that was made on this thread before must
+/// not be asked any more, and panics where it looks for the place of a mistake. Not for macros.
+pub fn forget_tokens() {
+    proc_macro2::extra::invalidate_current_thread_spans();
+}
+
 /// The spec whose families every spec can name: `Bernstein(n)` and `TriangularBernstein(n)`.
 pub const PRELUDE: &str = include_str!("../prelude.basis");

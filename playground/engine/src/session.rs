@@ -69,6 +69,7 @@ impl Session {
     fn open(&mut self, text: &str) -> Value {
         // What was open is freed first.
         self.analysis = None;
+        query::forget_tokens();
         self.text = String::from(text);
         self.places = Places::new(text);
         self.decided = 0;
