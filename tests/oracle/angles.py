@@ -49,9 +49,12 @@ class Arcs(Spans):
         domain = ', '.join(f'{self.end(a)} <= t <= {self.end(b)}' for a, b in zip(k, k[1:]))
         return f'family {self.name} {{\n{shapes}    domain {domain};\n{own}'
 
-    def sample(self, r):
-        env = {n: to_float(s.sample(r)) for n, s in self.shapes.items()}
-        env['t'] = to_float(Range(self.knots[0], self.knots[-1]).sample(r)) * self.unit(env)
+    def sample(self, r, shapes=None):
+        shapes = shapes or {n: s.sample(r) for n, s in self.shapes.items()}
+        env = {n: to_float(x) for n, x in shapes.items()}
+        # Each span as often as the others, however short it is.
+        k = r.randrange(len(self.knots) - 1)
+        env['t'] = to_float(Range(self.knots[k], self.knots[k + 1]).sample(r)) * self.unit(env)
         return env
 
     def spans_at(self, env):

@@ -416,9 +416,11 @@ class Independent(Claim):
         own, rows = self.own, []
         members = own.members()
         for count in range(12 + 4 * len(members)):
-            env = {**own.sample(r), **shapes}
-            env = floats(own, env)
-            rows.append([m.eval(env) for m in members])
+            env = floats(own, own.sample(r, shapes))
+            try:
+                rows.append([m.eval(env) for m in members])
+            except ZeroDivisionError:
+                continue  # in lower terms there is a value
             # A few points are enough where the rank is full.
             if count == len(members) + 1 and not has_floats(rows) and rank(rows) == len(members):
                 return True

@@ -137,9 +137,9 @@ class Family:
             factors[names[0]] = f'{kind} ({", ".join(names)})'
         return f'domain {", ".join(factors.values())};'
 
-    def sample(self, r):
-        """A point of the domain with shape values."""
-        env = {n: s.sample(r) for n, s in self.shapes.items()}
+    def sample(self, r, shapes=None):
+        """A point of the domain with shape values, those that are given or random ones."""
+        env = dict(shapes or {n: s.sample(r) for n, s in self.shapes.items()})
         for names in self.simplices:
             weights = [r.choice([0, 0, 1, 1, 2, 3, 5]) for _ in names]
             if not any(weights):

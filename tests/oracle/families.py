@@ -27,10 +27,10 @@ class Related(Family):
     def fits(self, env):
         return all(holds(relation, f.eval(env)) for relation, f in self.conditions)
 
-    def sample(self, r):
+    def sample(self, r, shapes=None):
         while True:
-            env = {n: s.sample(r) for n, s in self.shapes.items()}
-            if self.fits(env):
+            env = dict(shapes or {n: s.sample(r) for n, s in self.shapes.items()})
+            if shapes or self.fits(env):
                 break
         if self.between:
             low, high = (env[n] for n in self.between)
@@ -185,10 +185,12 @@ class Knots(Spans):
             span = next((k for k, b in enumerate(self.at(env)[1:]) if x <= b), len(self.functions[index]) - 1)
         return self.functions[index][span].eval(env)
 
-    def sample(self, r):
-        env = {n: s.sample(r) for n, s in self.shapes.items()}
+    def sample(self, r, shapes=None):
+        env = dict(shapes or {n: s.sample(r) for n, s in self.shapes.items()})
         knots = self.at(env)
-        env['t'] = r.choice([*knots, *(Range(knots[0], knots[-1]).sample(r) for _ in range(4))])
+        # Each span as often as the others, however short it is.
+        k = r.randrange(len(knots) - 1)
+        env['t'] = r.choice([knots[0], *(Range(knots[k], knots[k + 1]).sample(r) for _ in range(4))])
         return env
 
     def spans_at(self, env):

@@ -109,7 +109,8 @@ def judge_claim(own, claim, answer, r):
     if verdict == 'proved':
         if isinstance(claim, Independent):
             for _ in range(6):
-                shapes = {n: s.sample(r) for n, s in own.shapes.items()}
+                point = own.sample(r)
+                shapes = {n: point[n] for n in own.shapes}
                 if not claim.full(shapes, r):
                     return f'the functions are dependent at {shapes}'
             return None
