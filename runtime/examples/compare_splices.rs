@@ -59,11 +59,11 @@ fn main() {
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     let least = SpliceOptions::default().method(Method::LeastSquares);
     let methods = [
-        ("paper", least.method(Method::Midpoints).carry(false).merge(false)),
-        ("paper, carry", least.method(Method::Midpoints).merge(false)),
+        ("paper", least.method(Method::Midpoints).without_carrying().without_merging()),
+        ("paper, carry", least.method(Method::Midpoints).without_merging()),
         ("paper, carry, merged", least.method(Method::Midpoints)),
-        ("least squares", least.carry(false).merge(false)),
-        ("least squares, carry", least.merge(false)),
+        ("least squares", least.without_carrying().without_merging()),
+        ("least squares, carry", least.without_merging()),
         ("least squares, carry, merged", least),
         ("exact", least.method(Method::Exact)),
     ];

@@ -104,7 +104,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The curve over the images of all control points.
     ///
     /// It is the image of the curve under an affine map if the functions sum to 1, and always under a linear one. The maps
-    /// of the libraries of points can be used as they are: `curve.map(|p| transform * p)`.
+    /// of the libraries of points can be used: `curve.map(|p| map * p)` with those of nalgebra,
+    /// `curve.map(|p| map.transform_point3(p))` with those of glam.
     ///
     /// ```
     /// use basis_runtime::Bezier;

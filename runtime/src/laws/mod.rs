@@ -48,6 +48,7 @@ use random::Random;
 /// How thoroughly the laws are checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Checks {
     /// The number of parameters, and of sets of control points; both ends of the domain are always among the
     /// parameters.
@@ -60,6 +61,24 @@ pub struct Checks {
 }
 
 impl Checks {
+    /// With that number of parameters and of sets of control points.
+    #[must_use]
+    pub fn samples(self, samples: usize) -> Self {
+        Self { samples, ..self }
+    }
+
+    /// With numbers from that start of the generator.
+    #[must_use]
+    pub fn seed(self, seed: u64) -> Self {
+        Self { seed, ..self }
+    }
+
+    /// With that error allowed, in the units of [`tolerance`](Self::tolerance).
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
     /// Whether a difference is rounding: at most `tolerance` units of `size` for each of `degree + 1` operations. NaN is
     /// no small difference.
     fn accept<S: Scalar>(&self, found: S, expected: S, size: S, degree: usize) -> bool {

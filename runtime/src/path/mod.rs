@@ -107,8 +107,9 @@ impl<P: Point> Path<P> {
 
     /// The image under an affine map, exactly: control points are mapped, and weights stay.
     ///
-    /// The maps of the libraries of points can be used as they are: `path.map(|p| transform * p)`. Of a map that is not
-    /// affine the result is the curve over the images of the control points, not the image of the curve.
+    /// The maps of the libraries of points can be used: `path.map(|p| map * p)` with those of nalgebra,
+    /// `path.map(|p| map.transform_point2(p))` with those of glam. Of a map that is not affine the result is the curve over the
+    /// images of the control points, not the image of the curve.
     ///
     /// ```
     /// use basis_runtime::{ParametricCurve, Path};

@@ -24,13 +24,13 @@ where
     P: Point<Scalar = U::Scalar>,
 {
     /// The curve `u ↦ S(u, v)`. It has the family of the surface in `u`.
-    pub fn isocurve_u(&self, v: P::Scalar) -> Curve<U, P> {
+    pub fn along_u(&self, v: P::Scalar) -> Curve<U, P> {
         Curve::new(self.u_basis(), U::Points::from_fn(|i| self.rows()[i].eval(v)))
     }
 
     /// The curve `v ↦ S(u, v)`, if it has the family of the surface in `v`: if all rows that count at `u` have the same
-    /// shape values. [`isocurve_v_bezier`](Self::isocurve_v_bezier) gives it in any case.
-    pub fn isocurve_v(&self, u: P::Scalar) -> Option<Curve<V, P>> {
+    /// shape values. [`along_v_bezier`](Self::along_v_bezier) gives it in any case.
+    pub fn along_v(&self, u: P::Scalar) -> Option<Curve<V, P>> {
         let weights = self.u_basis().values(u);
         let rows = || {
             self.rows().iter().zip(weights.as_ref().iter().copied()).filter(|(_, w)| *w != P::Scalar::ZERO)
@@ -44,7 +44,7 @@ where
     }
 
     /// The curve `v ↦ S(u, v)` as a Bézier curve, on the unit interval.
-    pub fn isocurve_v_bezier(&self, u: P::Scalar) -> BezierOf<V, P> {
+    pub fn along_v_bezier(&self, u: P::Scalar) -> BezierOf<V, P> {
         let weights = self.u_basis().values(u);
         let rows = U::Points::<V::Bernstein<P>>::from_fn(|i| self.rows()[i].to_bernstein());
         let point = |j: usize| {
@@ -56,17 +56,17 @@ where
     /// The boundary curves at `v = lo` and `v = hi`, which run along `u`.
     ///
     /// For a family that interpolates its end points their control points are the first and the last column of the net.
-    pub fn boundary_u(&self) -> [Curve<U, P>; 2] {
-        V::domain().map(|v| self.isocurve_u(v))
+    pub fn boundary_along_u(&self) -> [Curve<U, P>; 2] {
+        V::domain().map(|v| self.along_u(v))
     }
 
     /// The boundary curves at `u = lo` and `u = hi`, which run along `v`; `None` as for
-    /// [`isocurve_v`](Self::isocurve_v).
+    /// [`along_v`](Self::along_v).
     ///
     /// For a family that interpolates its end points they are the first and the last row of the net, each with the
     /// shape values of that row.
-    pub fn boundary_v(&self) -> [Option<Curve<V, P>>; 2] {
-        U::domain().map(|u| self.isocurve_v(u))
+    pub fn boundary_along_v(&self) -> [Option<Curve<V, P>>; 2] {
+        U::domain().map(|u| self.along_v(u))
     }
 
     /// The same surface as a Bézier patch of the same degrees, on the unit square.

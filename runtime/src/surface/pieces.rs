@@ -235,8 +235,8 @@ pub trait BoundedSurface: Surface {
 
     /// The curve on which one parameter is constant; `direction` is that of the constant parameter.
     ///
-    /// Spline surfaces have a method of this name that gives a spline, [`TensorSurface::isocurve_u`],
-    /// [`TensorSurface::isocurve_v`] and [`SurfaceOfRevolution::meridian`] curves over their family.
+    /// Spline surfaces have a method of this name that gives a spline, [`TensorSurface::along_u`],
+    /// [`TensorSurface::along_v`] and [`SurfaceOfRevolution::meridian`] curves over their family.
     ///
     /// ```
     /// use basis_runtime::{BernsteinBasis, BoundedSurface, Direction, ParametricCurve, TensorSurface};

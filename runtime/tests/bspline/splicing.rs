@@ -19,7 +19,7 @@ fn methods() -> Vec<SpliceOptions> {
     let options = SpliceOptions::default();
     vec![
         #[cfg(feature = "nalgebra")]
-        options.method(Method::Midpoints).angle(2e-3).spans(60).merge(false),
+        options.method(Method::Midpoints).angle(2e-3).spans(60).without_merging(),
         options.method(Method::LeastSquares),
         options.method(Method::Exact),
     ]
@@ -131,8 +131,12 @@ fn the_published_method_solves_its_programmes() {
         let net = Net::from_rows([other, next.clone(), shifted(&next, 0.3), shifted(&next, 0.6)]).unwrap();
         let target = BSplineSurface::new(across, along[1].clone(), net).unwrap();
         // Whatever one round gives is good enough.
-        let options =
-            SpliceOptions::default().method(Method::Midpoints).gap(1e3).angle(1e3).carry(false).merge(false);
+        let options = SpliceOptions::default()
+            .method(Method::Midpoints)
+            .gap(1e3)
+            .angle(1e3)
+            .without_carrying()
+            .without_merging();
         let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
         let found = splice(&surface, &target, joint, &options).unwrap();
         assert_eq!(found.rounds, 1);
@@ -185,8 +189,8 @@ fn ends_do_not_hinder_least_squares_over_own_knots() {
     });
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for (carry, spans) in [(false, 100), (true, 40)] {
-        let options =
-            SpliceOptions::default().method(Method::LeastSquares).merge(false).carry(carry).spans(spans);
+        let options = SpliceOptions::default().method(Method::LeastSquares).without_merging().spans(spans);
+        let options = if carry { options } else { options.without_carrying() };
         let found = splice(&left, &right, joint, &options).unwrap();
         let (gap, angle) = independent(&found.surface, &right, joint);
         assert!(gap <= options.gap && angle <= options.angle);
@@ -250,7 +254,7 @@ fn the_change_is_how_far_the_rows_moved() {
         let options = SpliceOptions::default().method(method).continuity(Continuity::G0);
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!((found.change - 0.25).abs() < 1e-14);
-        let options = options.method(method).carry(false);
+        let options = options.method(method).without_carrying();
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!((found.change - 0.25).abs() < 1e-14);
     }

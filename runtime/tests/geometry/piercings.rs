@@ -274,7 +274,7 @@ fn along_surfaces() {
     for accuracy in [1e-3, 1e-5] {
         let random = &mut Random::new(2304);
         let patch = bicubic(random);
-        let isocurve = patch.isocurve_u(0.37);
+        let isocurve = patch.along_u(0.37);
         let cases: [(&dyn ParametricCurve<Point = P3>, &dyn BoundedSurface<Point = P3>); 3] =
             [(&diagonal, &saddle), (&longer, &saddle), (&isocurve, &patch)];
         for (curve, surface) in cases {

@@ -93,11 +93,11 @@ const TENSOR: &[Case<Tensor>] = &[
             && s.control_point(usize::MAX, usize::MAX).is_none()
             && s.control_point(3, 3).is_some()
     }),
-    ("isocurve_u", |s, a, b| !a.is_nan() || is_nan(s.isocurve_u(a).eval(b))),
-    ("isocurve_v", |s, a, b| s.isocurve_v(a).is_none_or(|c| !b.is_nan() || is_nan(c.eval(b)))),
-    ("isocurve_v_bezier", |s, a, b| !a.is_nan() || is_nan(s.isocurve_v_bezier(a).eval(b))),
-    ("boundary_u", |s, _, _| s.boundary_u().len() == 2),
-    ("boundary_v", |s, _, _| s.boundary_v().iter().all(Option::is_some)),
+    ("along_u", |s, a, b| !a.is_nan() || is_nan(s.along_u(a).eval(b))),
+    ("along_v", |s, a, b| s.along_v(a).is_none_or(|c| !b.is_nan() || is_nan(c.eval(b)))),
+    ("along_v_bezier", |s, a, b| !a.is_nan() || is_nan(s.along_v_bezier(a).eval(b))),
+    ("boundary_along_u", |s, _, _| s.boundary_along_u().len() == 2),
+    ("boundary_along_v", |s, _, _| s.boundary_along_v().iter().all(Option::is_some)),
     ("to_bezier", |s, a, b| any(&s.to_bezier(), a, b)),
     ("split", |s, a, b| {
         [Direction::U, Direction::V].iter().all(|&direction| match s.split(direction, a) {

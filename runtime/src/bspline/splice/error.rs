@@ -29,6 +29,8 @@ pub enum SpliceError {
     },
     /// Curvatures are to agree, by a method that does not make them.
     Curvatures,
+    /// [`Method::Midpoints`](crate::bspline::Method::Midpoints) without the features `nalgebra` and `std`.
+    NeedsNalgebra,
     /// A linear system has no unique solution.
     Singular,
     /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar
@@ -64,6 +66,9 @@ impl Display for SpliceError {
             }
             Self::Curvatures => {
                 f.write_str("only the exact method makes joints with continuous curvatures, G2")
+            }
+            Self::NeedsNalgebra => {
+                f.write_str("the method by midpoints needs the features `nalgebra` and `std`")
             }
             Self::Singular => f.write_str("the equations of the joint have no unique solution"),
             Self::NotReached { achieved, spans, gap, angle } => write!(

@@ -68,8 +68,8 @@ pub enum Continuity {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Method {
-    /// That of the paper: equations at the ends and the middle of every span; the rest by two quadratic programmes.
-    #[cfg(all(feature = "nalgebra", feature = "std"))]
+    /// That of the paper: equations at the ends and the middle of every span; the rest by two quadratic programmes. Its systems
+    /// are solved by nalgebra: without the features `nalgebra` and `std` it is [`SpliceError::NeedsNalgebra`].
     Midpoints,
     /// Least squares over at least six samples in every span.
     LeastSquares,
@@ -130,8 +130,20 @@ crate::bspline::setters! {
     gap: f64, "With that largest gap, in the unit of the points.";
     angle: f64, "With that largest angle between the tangent planes, in radians.";
     spans: usize, "With at most that number of spans along the edge.";
-    carry: bool, "Whether the second row gets the change of the edge before it is corrected.";
-    merge: bool, "Whether the degree along the edge is raised to that of the target and its knots are inserted first.";
+}
+
+impl SpliceOptions {
+    /// With a second row that is corrected where it is, see [`carry`](Self::carry).
+    #[must_use]
+    pub fn without_carrying(self) -> Self {
+        Self { carry: false, ..self }
+    }
+
+    /// With an edge that keeps its degree and its knots, see [`merge`](Self::merge).
+    #[must_use]
+    pub fn without_merging(self) -> Self {
+        Self { merge: false, ..self }
+    }
 }
 
 /// A surface that was joined to another one.
@@ -329,6 +341,8 @@ fn solve(strip: &mut Strip, target: &Strip, options: &SpliceOptions) -> Result<f
     let change = match options.method {
         #[cfg(all(feature = "nalgebra", feature = "std"))]
         Method::Midpoints => midpoints::edge(strip, target)?,
+        #[cfg(not(all(feature = "nalgebra", feature = "std")))]
+        Method::Midpoints => return Err(SpliceError::NeedsNalgebra),
         Method::LeastSquares => dense::edge(strip, target)?,
         Method::Exact => {
             let change = target.edge.iter().zip(&strip.edge).map(|(to, from)| to.minus(*from)).collect();

@@ -1,6 +1,6 @@
 //! Every type of point gives the same curve.
 
-use basis_runtime::{Curve, Point, Scalar};
+use basis_runtime::{Bezier, Curve, Point, Scalar};
 
 use crate::families::QuarticBernstein;
 
@@ -171,4 +171,45 @@ fn directions_of_points_are_vectors() {
     assert_eq!(squeezed.unwrap_err(), RevolutionError::NoSimilarity);
     let slanted = vase.map(|p| Point3::new(p.x + 1e-3 * p.z, p.y, p.z));
     assert_eq!(slanted.unwrap_err(), RevolutionError::NoSimilarity);
+}
+
+#[test]
+fn the_maps_of_every_library_move_curves() {
+    let (angle, shift) = (0.3_f64, [2.0, -1.0]);
+    let expected = |[x, y]: [f64; 2]| {
+        [angle.cos() * x - angle.sin() * y + shift[0], angle.sin() * x + angle.cos() * y + shift[1]]
+    };
+    let points = [[0.0, 0.0], [1.0, 2.0], [3.0, -1.0]];
+    let moved = Bezier::from_points(points.map(expected)).eval(0.375);
+    let check = |found: [f64; 2]| {
+        assert!(found.iter().zip(&moved).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?} {moved:?}");
+    };
+    #[cfg(feature = "glam")]
+    {
+        let map = glam::DAffine2::from_angle_translation(angle, shift.into());
+        let curve = Bezier::from_points(points.map(glam::DVec2::from));
+        check(curve.map(|p| map.transform_point2(p)).eval(0.375).to_array());
+    }
+    #[cfg(feature = "nalgebra")]
+    {
+        let map = nalgebra::Isometry2::new(shift.into(), angle);
+        let curve = Bezier::from_points(points.map(nalgebra::Point2::from));
+        check(curve.map(|p| map * p).eval(0.375).into());
+    }
+    #[cfg(feature = "kurbo")]
+    {
+        let map = kurbo::Affine::rotate(angle).then_translate((shift[0], shift[1]).into());
+        let image = |[x, y]: [f64; 2]| {
+            let p = map * kurbo::Point::new(x, y);
+            [p.x, p.y]
+        };
+        check(Bezier::from_points(points).map(image).eval(0.375));
+    }
+    #[cfg(feature = "lyon_geom")]
+    {
+        let map = lyon_geom::Transform::<f64>::rotation(lyon_geom::Angle::radians(angle))
+            .then_translate(shift.into());
+        let curve = Bezier::from_points(points);
+        check(curve.map(|p| map.transform_point(p.into()).to_array()).eval(0.375));
+    }
 }

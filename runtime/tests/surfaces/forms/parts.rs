@@ -18,15 +18,15 @@ fn isocurves() {
     for _ in 0..50 {
         let surface = random_surface::<[f64; 3]>(random);
         let (u, v): (f64, f64) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
-        assert!(near(surface.isocurve_u(v).eval(u), surface.eval(u, v)));
-        assert!(near(surface.isocurve_v_bezier(u).eval(v), surface.eval(u, v)));
+        assert!(near(surface.along_u(v).eval(u), surface.eval(u, v)));
+        assert!(near(surface.along_v_bezier(u).eval(v), surface.eval(u, v)));
         // With five different shape values the curve in v is not one of the family.
-        assert_eq!(surface.isocurve_v(u), None);
+        assert_eq!(surface.along_v(u), None);
 
         let gamma = random_quartic(random);
         let net = core::array::from_fn(|i| core::array::from_fn(|j| surface.control_point(i, j).unwrap()));
         let plain = TensorSurface::new(surface.u_basis(), gamma, net);
-        assert!(near(plain.isocurve_v(u).unwrap().eval(v), plain.eval(u, v)));
+        assert!(near(plain.along_v(u).unwrap().eval(v), plain.eval(u, v)));
     }
 }
 
@@ -35,10 +35,10 @@ fn isocurves() {
 fn boundaries_are_those_of_the_outer_rows() {
     let random = &mut Random::new(52);
     let surface = random_surface::<[f64; 3]>(random);
-    let [start, end] = surface.boundary_v().map(Option::unwrap);
+    let [start, end] = surface.boundary_along_v().map(Option::unwrap);
     assert_eq!(start, surface.rows()[0]);
     assert_eq!(end, surface.rows()[3]);
-    let [start, end] = surface.boundary_u();
+    let [start, end] = surface.boundary_along_u();
     assert_eq!((start.basis(), end.basis()), (surface.u_basis(), surface.u_basis()));
     for i in 0..4 {
         assert_eq!(start.control_points()[i], surface.control_point(i, 0).unwrap());
@@ -51,7 +51,7 @@ fn boundaries_are_those_of_the_outer_rows() {
 fn boundaries_of_a_bspline() {
     let net = core::array::from_fn(|i| core::array::from_fn(|j| [i as f64, j as f64, (i * j) as f64]));
     let surface = TensorSurface::new(UniformBSpline::new(), UniformBSpline::new(), net);
-    let boundary = surface.boundary_v()[1].unwrap();
+    let boundary = surface.boundary_along_v()[1].unwrap();
     assert!(near(boundary.eval(0.25), surface.eval(1.0, 0.25)));
 }
 
@@ -65,11 +65,11 @@ fn parts() {
         let [before, after] = surface.split(Direction::U, u).unwrap();
         assert!(near(before.eval(s, t), surface.eval(u * s, t)));
         assert!(near(after.eval(s, t), surface.eval(u + (1.0 - u) * s, t)));
-        assert_eq!(before.boundary_v()[1], after.boundary_v()[0]);
+        assert_eq!(before.boundary_along_v()[1], after.boundary_along_v()[0]);
         let [before, after] = surface.split(Direction::V, v).unwrap();
         assert!(near(before.eval(s, t), surface.eval(s, v * t)));
         assert!(near(after.eval(s, t), surface.eval(s, v + (1.0 - v) * t)));
-        assert_eq!(before.boundary_u()[1], after.boundary_u()[0]);
+        assert_eq!(before.boundary_along_u()[1], after.boundary_along_u()[0]);
         let part = surface.subpatch(0.75..0.25, 0.0..v).unwrap();
         assert!(near(part.eval(s, t), surface.eval(0.75 - 0.5 * s, v * t)));
         assert_eq!(surface.subpatch(0.0..1.0, 0.0..1.0).unwrap(), surface.to_bezier());
