@@ -408,3 +408,29 @@ fn parts_that_are_larger_than_others() {
     assert_eq!([&found[0], &found[2], &found[3], &found[4]], ["="; 4], "{found:?}");
     assert!(found[1].contains(" at ") && found[5].contains(" at "), "{found:?}");
 }
+
+/// Places next to bent borders, which no few directions lead to.
+#[test]
+fn false_by_little_along_a_border() {
+    let found = verdicts(
+        "family Disk {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = 3*α + 3.5*β + t;
+            refute b[0] >= -4.6;
+            refute b[0] >= -4.609;
+            prove b[0] >= -4.61;
+        }
+        family Ball {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1, -1 <= γ <= 1;
+            assume α^2 + β^2 + γ^2 <= 1;
+            b[0] = α + 2*β - 3*γ + t;
+            refute b[0] >= -3.74;
+            prove b[0] >= -3.75;
+        }",
+    );
+    assert_eq!([&found[2], &found[4]], ["="; 2], "{found:?}");
+    assert!([0, 1, 3].iter().all(|k| found[*k].contains(" at ")), "{found:?}");
+}

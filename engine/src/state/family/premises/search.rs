@@ -1,14 +1,14 @@
 //! Counterexamples to what is said under premises, among some points and downhill from the best of them.
 
-use basis_kernel::Statement;
-use basis_prover::collections::list::Mapped;
+use basis_kernel::{Domain, Quotient, Statement};
+use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, Counterexample, refute};
 use core::cmp::Ordering;
 use std::rc::Rc;
 
 use super::points::{directions, fits, ranges, sample, values};
 use super::touching;
-use crate::algebra::poly::{PolyExt as _, Var};
+use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
@@ -60,16 +60,25 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
         |(var, _): &&(Var, Range)| value.numerator.depends_on(*var) || value.denominator.depends_on(*var);
     let moving: Vec<&(Var, Range)> = ranges.iter().filter(moving).collect();
     let directions = directions(moving.len());
+    let slopes = Slopes::new(value, domain, &moving);
     let finest = if moving.len() <= 2 { 28 } else { 14 };
     let mut step = Rational::new(1, 16);
     let mut tries = 0;
     while tries < MAX_TRIES && relation.holds(&least) {
         let mut lower = None;
-        for direction in &directions {
+        let widths = |(var, range): &(Var, Range), steps: &i64| {
+            let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
+            (*var, &(&step * &width) * &Rational::from(*steps))
+        };
+        let fixed = directions
+            .iter()
+            .map(|direction| moving.iter().zip(direction).map(|(one, steps)| widths(one, steps)).listed());
+        // Those along a border are asked for where none of the others leads down.
+        let along = core::iter::once_with(|| slopes.moves(&point, &step)).flatten();
+        for change in fixed.chain(along) {
             let mut next = point.clone();
-            for ((var, range), steps) in moving.iter().zip(direction) {
-                let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
-                next[var.0] += &(&(&step * &width) * &Rational::from(*steps));
+            for (var, by) in &change {
+                next[var.0] += by;
             }
             tries += 1;
             let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
@@ -93,4 +102,75 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
         return touching::counterexample(&Rc::new(statement.clone()), &ranges, &point, work);
     }
     at(&point, work)
+}
+
+/// The gradients of a quotient and of the premises.
+struct Slopes<'d> {
+    value: &'d Quotient,
+    variables: Vec<Var>,
+    /// Of numerator and denominator.
+    own: [Vec<Poly>; 2],
+    premises: Vec<Vec<Poly>>,
+    /// The widest range.
+    width: Rational,
+}
+
+impl<'d> Slopes<'d> {
+    fn new(value: &'d Quotient, domain: &Domain, moving: &[&(Var, Range)]) -> Self {
+        let variables = moving.mapped(|(var, _)| *var);
+        let gradient = |p: &Poly| variables.mapped(|var| p.derivative(*var));
+        let own = [gradient(&value.numerator), gradient(&value.denominator)];
+        let premises = domain.premises.mapped(|(g, _)| gradient(g));
+        let widths = moving.iter().filter_map(|(_, range)| range.finite().map(|(low, high)| high - low));
+        let width = widths.max().unwrap_or(Rational::ONE);
+        Self { value, variables, own, premises, width }
+    }
+
+    /// Changes of a point against the gradient, and along the border of each premise with more and more of a turn inwards,
+    /// as a border is bent.
+    fn moves(&self, point: &[Rational], step: &Rational) -> Vec<Vec<(Var, Rational)>> {
+        let at = |all: &[Poly]| all.mapped(|p| p.eval(point));
+        let [above, below] = [&self.value.numerator, &self.value.denominator].map(|p| p.eval(point));
+        let [slope_above, slope_below] = [&self.own[0], &self.own[1]].map(|all| at(all));
+        let slopes = slope_above.iter().zip(&slope_below);
+        let down = slopes.map(|(n, d)| &(&above * d) - &(n * &below)).listed();
+        let dot = |a: &[Rational], b: &[Rational]| {
+            a.iter().zip(b).fold(Rational::ZERO, |sum, (x, y)| &sum + &(x * y))
+        };
+        let mut all = vec![(down.clone(), None)];
+        for premise in &self.premises {
+            let inward = at(premise);
+            let (towards, length) = (dot(&down, &inward), dot(&inward, &inward));
+            if let Some(share) = (&-towards).checked_div(&length).filter(Rational::is_positive) {
+                let along = down.iter().zip(&inward).map(|(d, g)| d + &(g * &share)).listed();
+                all.push((along, Some(inward)));
+            }
+        }
+        let length = step * &self.width;
+        let mut moves = Vec::new();
+        for (along, inward) in all {
+            let Some(along) = rounded(&along) else { continue };
+            let inward = inward.and_then(|inward| rounded(&inward));
+            let turns = if inward.is_some() { &TURNS[..] } else { &TURNS[..1] };
+            for turn in turns {
+                let turn = &length * &Rational::from(*turn);
+                let turned = |k: usize| {
+                    let turned = inward.as_ref().map_or(Rational::ZERO, |inward| &inward[k] * &turn);
+                    &(&along[k] + &turned) * &length
+                };
+                moves.push(self.variables.iter().enumerate().map(|(k, var)| (*var, turned(k))).listed());
+            }
+        }
+        moves
+    }
+}
+
+/// How much a way along a border turns inwards, in units of its length.
+const TURNS: [i64; 4] = [0, 1, 4, 16];
+
+/// A direction with components up to 1, which are short numbers.
+fn rounded(direction: &[Rational]) -> Option<Vec<Rational>> {
+    let largest = direction.iter().map(Rational::abs).max()?;
+    let scale = Rational::from(64).checked_div(&largest)?;
+    Some(direction.mapped(|x| &(x * &scale).floor() * &Rational::new(1, 64)))
 }
