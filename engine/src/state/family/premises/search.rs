@@ -107,7 +107,7 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
 /// The gradients of a quotient and of the premises.
 struct Slopes<'d> {
     value: &'d Quotient,
-    variables: Vec<Var>,
+    variables: Vec<(Var, Range)>,
     /// Of numerator and denominator.
     own: [Vec<Poly>; 2],
     premises: Vec<Vec<Poly>>,
@@ -117,8 +117,8 @@ struct Slopes<'d> {
 
 impl<'d> Slopes<'d> {
     fn new(value: &'d Quotient, domain: &Domain, moving: &[&(Var, Range)]) -> Self {
-        let variables = moving.mapped(|(var, _)| *var);
-        let gradient = |p: &Poly| variables.mapped(|var| p.derivative(*var));
+        let variables = moving.mapped(|one| (*one).clone());
+        let gradient = |p: &Poly| variables.mapped(|(var, _)| p.derivative(*var));
         let own = [gradient(&value.numerator), gradient(&value.denominator)];
         let premises = domain.premises.mapped(|(g, _)| gradient(g));
         let widths = moving.iter().filter_map(|(_, range)| range.finite().map(|(low, high)| high - low));
@@ -133,13 +133,28 @@ impl<'d> Slopes<'d> {
         let [above, below] = [&self.value.numerator, &self.value.denominator].map(|p| p.eval(point));
         let [slope_above, slope_below] = [&self.own[0], &self.own[1]].map(|all| at(all));
         let slopes = slope_above.iter().zip(&slope_below);
-        let down = slopes.map(|(n, d)| &(&above * d) - &(n * &below)).listed();
+        let mut down = slopes.map(|(n, d)| &(&above * d) - &(n * &below)).listed();
+        // What leads out of a range stays at its end.
+        let ends = self.variables.iter().zip(&down).map(|((var, range), by)| {
+            let end = if by.is_negative() { &range.low } else { &range.high };
+            end.value() == Some(&point[var.0])
+        });
+        let stays = ends.listed();
+        let within = |direction: &mut Vec<Rational>| {
+            for (by, stays) in direction.iter_mut().zip(&stays) {
+                if *stays {
+                    *by = Rational::ZERO;
+                }
+            }
+        };
+        within(&mut down);
         let dot = |a: &[Rational], b: &[Rational]| {
             a.iter().zip(b).fold(Rational::ZERO, |sum, (x, y)| &sum + &(x * y))
         };
         let mut all = vec![(down.clone(), None)];
         for premise in &self.premises {
-            let inward = at(premise);
+            let mut inward = at(premise);
+            within(&mut inward);
             let (towards, length) = (dot(&down, &inward), dot(&inward, &inward));
             if let Some(share) = (&-towards).checked_div(&length).filter(Rational::is_positive) {
                 let along = down.iter().zip(&inward).map(|(d, g)| d + &(g * &share)).listed();
@@ -158,7 +173,7 @@ impl<'d> Slopes<'d> {
                     let turned = inward.as_ref().map_or(Rational::ZERO, |inward| &inward[k] * &turn);
                     &(&along[k] + &turned) * &length
                 };
-                moves.push(self.variables.iter().enumerate().map(|(k, var)| (*var, turned(k))).listed());
+                moves.push(self.variables.iter().enumerate().map(|(k, (var, _))| (*var, turned(k))).listed());
             }
         }
         moves
