@@ -144,7 +144,10 @@ pub trait Basis: Copy + PartialEq + Debug {
     /// Which functions belong to the lower end, the corner 0, to the upper end, the corner 1, or to the inside.
     #[cfg(feature = "elements")]
     fn entities(&self) -> crate::Entities {
-        crate::elements::in_box(self.bernstein_weights().as_ref(), &[Self::DEGREE])
+        crate::elements::in_cell(
+            self.bernstein_weights().as_ref(),
+            &[crate::elements::Factor::interval(Self::DEGREE)],
+        )
     }
 
     /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to

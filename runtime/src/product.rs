@@ -41,7 +41,7 @@ impl DomainFactor {
     }
 
     /// The degree.
-    #[cfg(feature = "laws")]
+    #[cfg(any(feature = "laws", feature = "elements"))]
     pub(crate) const fn degree(self) -> usize {
         match self {
             Self::Interval { degree } | Self::Triangle { degree } | Self::Tetrahedron { degree } => degree,
@@ -141,6 +141,62 @@ pub trait ProductBasis: Copy + PartialEq + Debug {
         partial::<Self, _>(weights.as_mut(), at, orders)
     }
 
+    /// The values of all functions at many points, and their derivatives up to that order in the independent coordinates: what
+    /// [`values`](Self::values) and [`partials`](Self::partials) give, with the Bernstein coefficients computed once.
+    #[cfg(feature = "elements")]
+    fn tabulate(
+        &self,
+        at: &[Self::Coordinates],
+        order: usize,
+    ) -> crate::Tabulation<Self::Scalar, Self::Orders> {
+        crate::elements::tabulate_product(self, at, order)
+    }
+
+    /// Which functions belong to which corner, edge or face, or to the inside.
+    #[cfg(feature = "elements")]
+    fn entities(&self) -> crate::Entities {
+        crate::elements::in_cell(self.bernstein_weights().as_ref(), &crate::elements::product(Self::FACTORS))
+    }
+
+    /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to
+    /// rounding errors; `None` if there are none, or if the functions do not span the coordinates.
+    #[cfg(feature = "elements")]
+    fn nodes(&self) -> Option<Self::Points<Self::Coordinates>> {
+        crate::elements::product_nodes(self)
+    }
+
+    /// A rule of quadrature on the domain: the product of those on its factors, exact for polynomials of that degree in the
+    /// coordinates of each, the points of the last factor fastest. The weights have the volume of the domain as their sum, as
+    /// for [`mass_matrix`](Self::mass_matrix).
+    ///
+    /// ```
+    /// use basis_runtime::{ProductBasis, basis};
+    ///
+    /// basis!(library "triangles/prisms", QuadraticWedge);
+    /// # fn main() -> Result<(), basis_runtime::QuadratureError> {
+    /// let wedge = QuadraticWedge::<f64>::new();
+    /// let rule = QuadraticWedge::<f64>::quadrature(4)?; // 6 points of the triangle times 3 of the interval
+    /// assert_eq!(rule.len(), 18);
+    /// let entry = rule.integrate(|at: [f64; 4]| wedge.values(at)[0] * wedge.values(at)[1]);
+    /// assert!((entry - wedge.mass_matrix()[0][1]).abs() < 1e-16);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`QuadratureError::Degree`](crate::QuadratureError::Degree) for a degree above 1023, or where a rule without symmetries
+    /// would have more than 2²² points.
+    #[cfg(feature = "elements")]
+    fn quadrature<const K: usize>(
+        degree: usize,
+    ) -> Result<crate::Quadrature<Self::Coordinates>, crate::QuadratureError>
+    where
+        Self: ProductBasis<Coordinates = [<Self as ProductBasis>::Scalar; K]>,
+    {
+        let [low, high] = Self::domain();
+        crate::Quadrature::on_product(Self::FACTORS, [low.as_ref(), high.as_ref()], degree)
+    }
+
     /// The control points of the same patch in the Bernstein basis of the same degrees: `Σ_i c[α][i] points[i]` with the
     /// [`bernstein_weights`](Self::bernstein_weights) `c`.
     fn to_bernstein<P: Point<Scalar = Self::Scalar>>(&self, points: &Self::Points<P>) -> Self::Bernstein<P> {
@@ -173,7 +229,7 @@ fn matrix<B: ProductBasis>(kind: Kind, basis: &B) -> B::Points<B::Values> {
 }
 
 /// The partial derivative of these orders of a net, at a point of the domain.
-fn partial<B: ProductBasis, P: Point<Scalar = B::Scalar>>(
+pub(crate) fn partial<B: ProductBasis, P: Point<Scalar = B::Scalar>>(
     net: &mut [P],
     at: B::Coordinates,
     orders: B::Orders,

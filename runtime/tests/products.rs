@@ -189,3 +189,88 @@ fn single_precision() {
     let patch = ProductPatch::new(wedge, [1.0_f32; 18]);
     assert!((patch.eval([0.25, 0.25, 0.5, 0.5]) - 1.0).abs() < 1e-6);
 }
+
+#[cfg(feature = "elements")]
+mod elements {
+    use super::*;
+
+    #[test]
+    fn wedges_have_nodes_and_entities() {
+        let wedge = TriquadraticWedge::<f64>::new();
+        let nodes = wedge.nodes().expect("a nodal family");
+        for (i, &node) in nodes.iter().enumerate() {
+            let values = wedge.values(node);
+            for (j, &value) in values.iter().enumerate() {
+                near(value, if i == j { 1.0 } else { 0.0 });
+            }
+        }
+        // Six corners, three edges across and six around, three faces with a node; nothing inside.
+        let entities = wedge.entities();
+        assert!(entities.is_complete());
+        let count = |dimension| entities.of_dimension(dimension).len();
+        assert_eq!([count(0), count(1), count(2), count(3)], [6, 9, 3, 0]);
+        // The corner u = 1 at z = 1 is corner 1, v = 1 at z = -1 is corner 2.
+        let is_near = |a: &[f64; 4], b: &[f64; 4]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12);
+        let at = |point: [f64; 4]| nodes.iter().position(|node| is_near(node, &point)).expect("a node");
+        assert_eq!(entities.functions(&[1]), [at([1.0, 0.0, 0.0, 1.0])]);
+        assert_eq!(entities.functions(&[2]), [at([0.0, 1.0, 0.0, -1.0])]);
+        assert_eq!(entities.functions(&[1, 3]), [at([0.5, 0.5, 0.0, 1.0])]);
+        assert_eq!(entities.functions(&[2, 3]), [at([0.0, 1.0, 0.0, 0.0])]);
+        // The face w = 0 has the nine nodes of a biquadratic square.
+        let mut face: Vec<usize> = (0..nodes.len()).filter(|&i| nodes[i][2].abs() < 1e-12).collect();
+        face.sort_unstable();
+        assert_eq!(entities.closure(&[0, 1, 2, 3]), face);
+        let serendipity = QuadraticWedge::<f64>::new().entities();
+        assert_eq!([0, 1, 2].map(|dimension| serendipity.of_dimension(dimension).len()), [6, 9, 0]);
+        assert_eq!(LinearWedge::<f64>::new().entities().of_dimension(0).len(), 6);
+        // Functions that are no products.
+        assert_eq!(Pair::<f64>::new().nodes(), None);
+    }
+
+    #[test]
+    fn rules_integrate_products_of_functions() {
+        fn check<B: ProductBasis<Scalar = f64, Coordinates = [f64; K]>, const K: usize>(
+            basis: B,
+            degree: usize,
+        ) {
+            let rule = B::quadrature(degree).expect("a rule");
+            assert!(rule.weights().iter().all(|w| *w > 0.0) && rule.degree() >= degree);
+            let table = basis.tabulate(rule.points(), 0);
+            let mass = basis.mass_matrix();
+            for i in 0..B::LEN {
+                for j in 0..B::LEN {
+                    let entry = |q: usize, w: &f64| w * table.values(q)[i] * table.values(q)[j];
+                    let sum = rule.weights().iter().enumerate().map(|(q, w)| entry(q, w)).sum();
+                    near(mass.as_ref()[i].as_ref()[j], sum);
+                }
+            }
+        }
+        check(QuadraticWedge::<f64>::new(), 4);
+        check(TriquadraticWedge::<f64>::new(), 6);
+        check(Solid::new(1.5).expect("in its range"), 8);
+        check(Pair::<f64>::new(), 10);
+        let error = QuadraticWedge::<f64>::quadrature(2000).expect_err("too many points");
+        assert!(error.to_string().contains("2000"), "{error}");
+    }
+
+    #[test]
+    fn tables_hold_values_and_derivatives() {
+        let solid = Solid::new(0.75).expect("in its range");
+        let at = [[0.5, 0.25, 0.25, 0.25, 0.25, 0.125], [-1.0, 0.5, 0.0, 0.25, 0.25, 1.0]];
+        let table = solid.tabulate(&at, 3);
+        for (q, &at) in at.iter().enumerate() {
+            for orders in
+                [[0; 5], [1, 0, 0, 0, 0], [0, 1, 0, 0, 1], [0, 0, 1, 1, 0], [0, 2, 0, 0, 1], [0, 0, 0, 3, 0]]
+            {
+                let found = table.derivatives(q, orders).expect("of order 3 at most");
+                for (a, b) in found.iter().zip(solid.partials(at, orders)) {
+                    near(*a, b);
+                }
+            }
+            assert_eq!(table.derivatives(q, [2, 2, 0, 0, 0]), None);
+            let gradient = table.gradient(q, 0);
+            near(gradient[4], solid.partials(at, [0, 0, 0, 0, 1])[0]);
+            near(table.hessian(q, 1)[1][4], solid.partials(at, [0, 1, 0, 0, 1])[1]);
+        }
+    }
+}

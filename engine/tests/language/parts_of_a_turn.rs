@@ -1,6 +1,7 @@
 //! Angles whose sines are irrational: at an end of the domain, at a value that `at` gives, and as numbers such as sin(π/4).
 
 use crate::rechecked::counterexamples;
+use crate::verdicts::verdicts;
 
 /// The middle of the domain and others of its points: tan(π/8) = √2 − 1, tan(π/16), tan(π/12) = 2 − √3.
 #[test]
@@ -321,4 +322,19 @@ fn strict_bounds_that_are_attained_are_not_proved() {
     for verdict in crate::rechecked::rechecked(&report) {
         assert!(!matches!(verdict, basis_engine::Verdict::Proved(_)), "{verdict:?}");
     }
+}
+
+/// Where `at` fixes the place, the counterexample names that place, also where it has a value of its own for the variable.
+#[test]
+fn fixed_places_are_named() {
+    let found = verdicts(
+        "family Fixed {
+            domain 0 <= t <= pi;
+            b[0] = (cos(t/2) - sin(pi/4)) * sin(t/2 + pi/4);
+            b[1] = cos(t/2)^2;
+            prove at t = pi { D(b[0]) > -103/1000; }
+            prove at t = pi { b[0] > -4/10; }
+        }",
+    );
+    assert!(found.iter().all(|verdict| verdict.ends_with(" at t = pi")), "{found:?}");
 }

@@ -104,7 +104,9 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
     /// Which functions belong to which corner, edge or face, or to the inside.
     #[cfg(feature = "elements")]
     fn entities(&self) -> crate::Entities {
-        crate::elements::in_box(self.bernstein_weights().as_ref(), Self::DEGREES)
+        let factors: alloc::vec::Vec<_> =
+            Self::DEGREES.iter().map(|&degree| crate::elements::Factor::interval(degree)).collect();
+        crate::elements::in_cell(self.bernstein_weights().as_ref(), &factors)
     }
 
     /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to

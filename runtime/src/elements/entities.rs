@@ -2,12 +2,14 @@
 
 use alloc::vec::Vec;
 
+use super::cell::{Factor, places};
 use crate::{Point, Scalar};
 
 /// A corner, an edge, a face of a cell, or the cell itself.
 ///
 /// Corners are numbered: on a simplex the corner `j` is where the coordinate `j` is 1; on an interval 0 is the lower end;
-/// on a box they stand in lexicographic order, low before high and the last coordinate fastest.
+/// on boxes and products they stand in lexicographic order, low before high and the last factor fastest, so that the wedge
+/// over `(u, v, w), z` has the corners `u = 1` below and above, `v = 1` below and above, `w = 1` below and above.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Entity {
     dimension: usize,
@@ -106,42 +108,22 @@ fn vanishing<V: Point>(weights: &[V], mut chosen: impl FnMut(usize) -> bool) -> 
     largest.into_iter().map(|[side, all]| side <= noise * all).collect()
 }
 
-/// For the functions with these Bernstein coefficients, in the order of the indices of a simplex.
-pub(crate) fn in_simplex<V: Point>(weights: &[V], corners: usize, degree: usize) -> Entities {
-    let indices = super::tabulation::lattice(corners, degree);
-    let zero: Vec<Vec<bool>> =
-        (0..corners).map(|j| vanishing(weights, |row| indices[row * corners + j] == 0)).collect();
-    let of = (0..V::DIM).map(|i| {
-        let corners: Vec<usize> = (0..corners).filter(|&j| zero[j][i]).collect();
-        (!corners.is_empty()).then(|| Entity { dimension: corners.len() - 1, corners })
-    });
-    Entities { of: of.collect() }
-}
-
-/// For the functions with these Bernstein coefficients on a box, the last index fastest.
-pub(crate) fn in_box<V: Point>(weights: &[V], degrees: &[usize]) -> Entities {
-    let mut stride = weights.len();
-    // Of each function in each coordinate: whether it vanishes at the lower and at the upper end.
-    let mut zero = Vec::new();
-    for &degree in degrees {
-        stride /= degree + 1;
-        let place = |row: usize| row / stride % (degree + 1);
-        zero.push([
-            vanishing(weights, |row| place(row) == 0),
-            vanishing(weights, |row| place(row) == degree),
-        ]);
-    }
+/// For the functions with these Bernstein coefficients on a product of factors, those of the last one fastest.
+pub(crate) fn in_cell<V: Point>(weights: &[V], factors: &[Factor]) -> Entities {
+    let places: Vec<Vec<usize>> = (0..weights.len()).map(|row| places(factors, row)).collect();
+    // Of each function in each factor: whether it vanishes on the side opposite to each corner.
+    let sides = |(k, factor): (usize, &Factor)| {
+        let side = |corner| vanishing(weights, |row| factor.index(places[row][k])[corner] == 0);
+        (0..factor.corners).map(side).collect::<Vec<_>>()
+    };
+    let zero: Vec<Vec<Vec<bool>>> = factors.iter().enumerate().map(sides).collect();
     let of = (0..V::DIM).map(|i| {
         let (mut dimension, mut corners) = (0, alloc::vec![0]);
         for sides in &zero {
-            let ends: &[usize] = match [sides[0][i], sides[1][i]] {
-                [true, true] => &[0, 1],
-                [false, true] => &[0],
-                [true, false] => &[1],
-                [false, false] => return None,
-            };
-            dimension += ends.len() - 1;
-            corners = corners.iter().flat_map(|c| ends.iter().map(move |end| 2 * c + end)).collect();
+            let own: Vec<usize> = (0..sides.len()).filter(|&corner| sides[corner][i]).collect();
+            dimension += own.len().checked_sub(1)?;
+            corners =
+                corners.iter().flat_map(|c| own.iter().map(move |corner| sides.len() * c + corner)).collect();
         }
         Some(Entity { dimension, corners })
     });

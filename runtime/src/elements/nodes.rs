@@ -5,14 +5,13 @@
 
 use alloc::vec::Vec;
 
-use super::tabulation::lattice;
+use super::cell::{Factor, places, product};
 use crate::domain::from_unit;
-use crate::{Array, Basis, BoxBasis, Point, Scalar, SimplexBasis};
+use crate::{Array, Basis, BoxBasis, Point, ProductBasis, Scalar, SimplexBasis};
 
 /// The nodes of a family on an interval.
 pub(crate) fn interval_nodes<B: Basis>(basis: &B) -> Option<B::Points<B::Scalar>> {
-    let rows: Vec<f64> = (0..=B::DEGREE).map(|j| j as f64).collect();
-    let found = coordinates(basis.bernstein_weights().as_ref(), &rows, &[B::DEGREE])?;
+    let found = coordinates(basis.bernstein_weights().as_ref(), &[Factor::interval(B::DEGREE)])?;
     let nodes = B::Points::from_fn(|i| from_unit(B::domain(), B::Scalar::of(found[i])));
     nodal(nodes.as_ref(), |&at| basis.values(at)).then_some(nodes)
 }
@@ -20,35 +19,32 @@ pub(crate) fn interval_nodes<B: Basis>(basis: &B) -> Option<B::Points<B::Scalar>
 /// The nodes of a family on a simplex.
 pub(crate) fn simplex_nodes<B: SimplexBasis>(basis: &B) -> Option<B::Points<B::Coordinates>> {
     let corners = <B::Coordinates as Array<B::Scalar>>::LEN;
-    let rows: Vec<f64> = lattice(corners, B::DEGREE).into_iter().map(|k| k as f64).collect();
-    let degrees = alloc::vec![B::DEGREE; corners];
-    let found = coordinates(basis.bernstein_weights().as_ref(), &rows, &degrees)?;
+    let found = coordinates(basis.bernstein_weights().as_ref(), &[Factor::simplex(corners, B::DEGREE)])?;
     let nodes = B::Points::from_fn(|i| B::Coordinates::from_fn(|j| B::Scalar::of(found[i * corners + j])));
     nodal(nodes.as_ref(), |&at| basis.values(at)).then_some(nodes)
 }
 
 /// The nodes of a family on a box.
 pub(crate) fn box_nodes<B: BoxBasis>(basis: &B) -> Option<B::Points<B::Coordinates>> {
-    let axes = B::DEGREES.len();
-    let weights = basis.bernstein_weights();
-    let mut rows = Vec::new();
-    for row in 0..weights.as_ref().len() {
-        let mut rest = row;
-        let start = rows.len();
-        rows.resize(start + axes, 0.0);
-        for (axis, &degree) in B::DEGREES.iter().enumerate().rev() {
-            rows[start + axis] = (rest % (degree + 1)) as f64;
-            rest /= degree + 1;
-        }
-    }
-    let found = coordinates(weights.as_ref(), &rows, B::DEGREES)?;
-    let [low, high] = B::domain();
-    let nodes = B::Points::from_fn(|i| {
-        B::Coordinates::from_fn(|d| {
-            from_unit([low.as_ref()[d], high.as_ref()[d]], B::Scalar::of(found[i * axes + d]))
-        })
-    });
+    let factors: Vec<Factor> = B::DEGREES.iter().map(|&degree| Factor::interval(degree)).collect();
+    let found = coordinates(basis.bernstein_weights().as_ref(), &factors)?;
+    let nodes: B::Points<B::Coordinates> = placed(&found, B::domain());
     nodal(nodes.as_ref(), |&at| basis.values(at)).then_some(nodes)
+}
+
+/// The nodes of a family on a product of simplices and intervals.
+pub(crate) fn product_nodes<B: ProductBasis>(basis: &B) -> Option<B::Points<B::Coordinates>> {
+    let found = coordinates(basis.bernstein_weights().as_ref(), &product(B::FACTORS))?;
+    let nodes: B::Points<B::Coordinates> = placed(&found, B::domain());
+    nodal(nodes.as_ref(), |&at| basis.values(at)).then_some(nodes)
+}
+
+/// The points with these coordinates in units of a domain, one after the other.
+fn placed<S: Scalar, X: Array<S>, N: Array<X>>(units: &[f64], [low, high]: [X; 2]) -> N {
+    N::from_fn(|i| {
+        let unit = |d| S::of(units[i * X::LEN + d]);
+        X::from_fn(|d| from_unit([low.as_ref()[d], high.as_ref()[d]], unit(d)))
+    })
 }
 
 /// Whether the functions have the values 1 and 0 at the nodes, up to rounding errors.
@@ -63,17 +59,22 @@ fn nodal<V: Point, X>(nodes: &[X], values: impl Fn(&X) -> V) -> bool {
     })
 }
 
-/// The coefficients of the unit coordinates in the functions with these Bernstein coefficients; `indices` holds the index
-/// of each row, whose quotients by the degrees are the Bernstein coefficients of the coordinates.
-fn coordinates<V: Point>(weights: &[V], indices: &[f64], degrees: &[usize]) -> Option<Vec<f64>> {
-    if degrees.contains(&0) {
+/// The coefficients of the unit coordinates in the functions with these Bernstein coefficients: of an interval the
+/// coordinate, of a simplex all barycentric ones. The Bernstein coefficients of a coordinate are the quotients of the
+/// components of the indices by the degree.
+fn coordinates<V: Point>(weights: &[V], factors: &[Factor]) -> Option<Vec<f64>> {
+    if factors.iter().any(|factor| factor.degree == 0) {
         return None;
     }
-    let columns = degrees.len();
+    let own = |factor: &Factor| if factor.corners == 2 { 1..2 } else { 0..factor.corners };
+    let columns = factors.iter().map(|factor| own(factor).len()).sum();
     let mut matrix = Vec::with_capacity(weights.len() * (V::DIM + columns));
-    for (row, indices) in weights.iter().zip(indices.chunks_exact(columns)) {
-        matrix.extend((0..V::DIM).map(|i| row.component(i).to_f64()));
-        matrix.extend(indices.iter().zip(degrees).map(|(index, &degree)| index / degree as f64));
+    for (row, weights) in weights.iter().enumerate() {
+        matrix.extend((0..V::DIM).map(|i| weights.component(i).to_f64()));
+        for (factor, place) in factors.iter().zip(places(factors, row)) {
+            let index = &factor.index(place)[own(factor)];
+            matrix.extend(index.iter().map(|&k| k as f64 / factor.degree as f64));
+        }
     }
     least_squares(matrix, weights.len(), V::DIM, columns)
 }

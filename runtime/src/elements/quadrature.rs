@@ -1,4 +1,4 @@
-//! Rules of quadrature on intervals, boxes and simplices.
+//! Rules of quadrature on intervals, boxes, simplices and their products.
 
 use alloc::vec::Vec;
 use core::error::Error;
@@ -6,7 +6,7 @@ use core::fmt::{self, Display, Formatter};
 
 use super::symmetric;
 use crate::numeric::gauss::jacobi;
-use crate::{Point, Scalar};
+use crate::{DomainFactor, Point, Scalar};
 
 /// Rules of a higher degree are refused.
 const MOST_DEGREE: usize = 1_023;
@@ -18,7 +18,7 @@ const MOST_POINTS: usize = 1 << 22;
 /// the integral of `f` over the cell, exactly (but for rounding) for polynomials up to its [`degree`](Self::degree).
 ///
 /// `X` is what a family on the cell takes: a parameter on an interval, coordinates on a box, barycentric coordinates on a
-/// simplex. There the integral is that over the coordinates but the last, so that the weights have the sum `1/2` on a
+/// simplex, all of them on a product such as a wedge ([`ProductBasis::quadrature`](crate::ProductBasis::quadrature)). There the integral is that over the coordinates but the last, so that the weights have the sum `1/2` on a
 /// triangle and `1/6` on a tetrahedron: the same variables in which
 /// [`partials`](crate::SimplexBasis::partials) and [`tabulate`](crate::SimplexBasis::tabulate) differentiate. The
 /// integral over a cell in space that is the image of this one has the factor `|det J|` with the matrix `J` of these
@@ -125,6 +125,49 @@ impl<S: Scalar, const K: usize> Quadrature<[S; K]> {
     }
 }
 
+impl<S: Scalar, const K: usize> Quadrature<[S; K]> {
+    /// The product of rules on the factors of a domain with these lowest and highest coordinates, exact for polynomials of
+    /// that degree in the coordinates of each factor.
+    pub(crate) fn on_product(
+        factors: &[DomainFactor],
+        [low, high]: [&[S]; 2],
+        degree: usize,
+    ) -> Result<Self, QuadratureError> {
+        count(degree, factors.iter().map(|factor| factor.coordinates().1).sum())?;
+        let (mut start, mut exact) = (0, usize::MAX);
+        let mut all = alloc::vec![([S::ZERO; K], S::ONE)];
+        for factor in factors {
+            let (rule, own): (Vec<([S; 4], S)>, usize) = match factor {
+                DomainFactor::Interval { .. } => {
+                    let rule = Quadrature::on_interval([low[start], high[start]], degree)?;
+                    (rule.iter().map(|(x, w)| ([x, S::ZERO, S::ZERO, S::ZERO], w)).collect(), rule.degree)
+                }
+                DomainFactor::Triangle { .. } => {
+                    let rule = Quadrature::<[S; 3]>::on_simplex(degree)?;
+                    (
+                        rule.iter().map(|([u, v, w], weight)| ([u, v, w, S::ZERO], weight)).collect(),
+                        rule.degree,
+                    )
+                }
+                DomainFactor::Tetrahedron { .. } => {
+                    let rule = Quadrature::<[S; 4]>::on_simplex(degree)?;
+                    (rule.iter().collect(), rule.degree)
+                }
+            };
+            exact = exact.min(own);
+            let (coordinates, _) = factor.coordinates();
+            let with = |(mut point, weight): ([S; K], S), (at, factor): ([S; 4], S)| {
+                point[start..start + coordinates].copy_from_slice(&at[..coordinates]);
+                (point, weight * factor)
+            };
+            all = all.iter().flat_map(|&one| rule.iter().map(move |&next| with(one, next))).collect();
+            start += coordinates;
+        }
+        let (points, weights) = all.into_iter().unzip();
+        Ok(Self { points, weights, degree: exact })
+    }
+}
+
 impl<X: Point> Quadrature<X> {
     /// The points of the rule, all inside of the cell.
     pub fn points(&self) -> &[X] {
@@ -137,7 +180,7 @@ impl<X: Point> Quadrature<X> {
     }
 
     /// The degree up to which the rule is exact, at least the one that was asked for: on boxes in each coordinate, on
-    /// simplices in all together.
+    /// simplices in all together, on products in each factor.
     pub fn degree(&self) -> usize {
         self.degree
     }

@@ -5,13 +5,14 @@ use alloc::vec::Vec;
 
 use crate::domain::{inverse_width, unit};
 use crate::simplex::raised;
-use crate::{Array, Basis, BoxBasis, Point, Scalar, SimplexBasis};
+use crate::{Array, Basis, BoxBasis, Point, ProductBasis, Scalar, SimplexBasis};
 
 /// The values and the partial derivatives of all functions of a family at a list of points: what assembly loops read.
 ///
-/// It is made by [`Basis::tabulate`](crate::Basis::tabulate), [`SimplexBasis::tabulate`](crate::SimplexBasis::tabulate)
-/// and [`BoxBasis::tabulate`](crate::BoxBasis::tabulate). `O` holds an order of differentiation for each variable: the
-/// parameter of an interval, the coordinates of a box, the barycentric coordinates but the last.
+/// It is made by [`Basis::tabulate`](crate::Basis::tabulate), [`SimplexBasis::tabulate`](crate::SimplexBasis::tabulate),
+/// [`BoxBasis::tabulate`](crate::BoxBasis::tabulate) and [`ProductBasis::tabulate`](crate::ProductBasis::tabulate). `O` holds
+/// an order of differentiation for each variable: the parameter of an interval, the coordinates of a box, the barycentric
+/// coordinates of a simplex but the last.
 ///
 /// ```
 /// use basis_runtime::{Quadrature, SimplexBasis, basis};
@@ -224,6 +225,26 @@ pub(crate) fn tabulate_simplex<B: SimplexBasis>(
                     .zip(net.as_ref())
                     .for_each(|(&weight, values)| add(row, values, weight));
             }
+        }
+    }
+    table
+}
+
+pub(crate) fn tabulate_product<B: ProductBasis>(
+    basis: &B,
+    at: &[B::Coordinates],
+    order: usize,
+) -> Tabulation<B::Scalar, B::Orders> {
+    let degree = B::FACTORS.iter().map(|factor| factor.degree()).sum();
+    let orders: Vec<B::Orders> = orders(kept(order, degree));
+    let weights = basis.bernstein_weights();
+    let mut table = empty(at.len(), B::LEN, order, orders);
+    for &at in at {
+        table.numbers.extend_from_slice(basis.values(at).as_ref());
+        for &orders in &table.orders[1..] {
+            let mut net = weights;
+            let row = crate::product::partial::<B, B::Values>(net.as_mut(), at, orders);
+            table.numbers.extend_from_slice(row.as_ref());
         }
     }
     table

@@ -145,11 +145,9 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
     /// Which functions belong to which corner, edge or face, or to the inside.
     #[cfg(feature = "elements")]
     fn entities(&self) -> crate::Entities {
-        crate::elements::in_simplex(
-            self.bernstein_weights().as_ref(),
-            <Self::Coordinates as Array<Self::Scalar>>::LEN,
-            Self::DEGREE,
-        )
+        let corners = <Self::Coordinates as Array<Self::Scalar>>::LEN;
+        let factor = crate::elements::Factor::simplex(corners, Self::DEGREE);
+        crate::elements::in_cell(self.bernstein_weights().as_ref(), &[factor])
     }
 
     /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to

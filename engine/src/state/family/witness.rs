@@ -78,7 +78,12 @@ pub(super) fn witness(
     if matches!(kind, ClaimKind::Relation { .. } | ClaimKind::TotallyPositive) {
         witness.idle = idle(family, kind.fixed(), stated);
     }
-    let point = piece.image(&found.point);
+    // What `at` fixes is where it says, whatever the counterexample has for it.
+    let fixed = kind.fixed();
+    let fixed_point = fixed.iter().filter_map(|(var, f)| Some((*var, beside::value_at(family, found, f)?)));
+    let others =
+        piece.image(&found.point).into_iter().filter(|(var, _)| fixed.iter().all(|(own, _)| own != var));
+    let point = others.chain(fixed_point).listed();
     witness.places = beside::places(family, kind.fixed(), &witness.at, &point);
     witness.notes = identity::notes(family, kind, &witness);
     let rational = point.iter().filter_map(|(var, c)| match c {
