@@ -173,6 +173,22 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
     all
 }
 
+/// The warnings about claims that are made for no order and no index, given the numbers of the statements that make some.
+pub(super) fn never_made(
+    written: &syntax::Family,
+    made: &[usize],
+    place: &dyn Fn(Span) -> Place,
+) -> Vec<Diagnostic> {
+    let idle = written.statements.iter().enumerate().filter(|(number, statement)| {
+        matches!(&statement.kind, StatementKind::Claim(_)) && !made.contains(number)
+    });
+    let warning = |(_, statement): (usize, &syntax::Statement)| {
+        let warning = Diagnostic::error(place(statement.span), "the claim is about no order and no index");
+        warning.warning().help("widen what stands behind `for` or `if`, or leave it out")
+    };
+    idle.map(warning).collect()
+}
+
 /// Adds the names in an expression.
 fn names<'e>(expr: &'e Expr, used: &mut Vec<&'e str>) {
     match &expr.kind {

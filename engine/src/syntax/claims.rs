@@ -116,12 +116,11 @@ fn nearest(text: &str) -> Option<&'static str> {
 }
 
 /// Properties that papers name and the language says otherwise.
-const ELSEWHERE: [(&str, &str); 10] = [
+const ELSEWHERE: [(&str, &str); 12] = [
     ("positive positivity", "claim `nonnegative`, or `b > 0` without zeros"),
-    (
-        "convex_hull convex_hull_property affine_invariance",
-        "it follows from `partition_of_unity` and `nonnegative`",
-    ),
+    ("convex_hull convex_hull_property", "it follows from `partition_of_unity` and `nonnegative`"),
+    ("affine_invariance affine_invariant", "it is what `partition_of_unity` says"),
+    ("linear_precision reproduction", "write the sum, `sum(i/n*b[i] for i in 0..=n) = t`"),
     (
         "monotone monotonic monotonicity increasing decreasing",
         "claim the sign of a derivative, such as `D(b[0]) <= 0`",
@@ -315,12 +314,22 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     })?;
     if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
     {
-        return Err(unexpected(input, "`{` with the equations that hold there"));
+        let found = unexpected(input, "`{` with the equations that hold there");
+        let help = if input.peek(Token![;]) {
+            "values are separated by commas: `prove at t = 0, λ = 1 { b[0] = 1; }`"
+        } else {
+            "write `prove at t = 0 { b[0] = 1; }`"
+        };
+        return Err(error(found.span(), found.to_string(), help));
     }
     let content;
     syn::braced!(content in input);
     let mut relations = Vec::new();
     while !content.is_empty() {
+        if ["prove", "refute", "conjecture"].iter().any(|word| at_word(&content, word)) {
+            let help = "the word stands before `at`, the block has equations: `prove at t = 0 { b[0] = 1; b[1] = 0; }`";
+            return Err(error(content.span(), "no claim stands in a block", help));
+        }
         let mut relation = relation(&content)?;
         if content.peek(Token![;]) {
             relation.last = content.parse::<Token![;]>()?.span;

@@ -104,7 +104,7 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
             (Comparison::Less, false) | (Comparison::Greater, true) => false,
             (Comparison::LessEqual, false) | (Comparison::GreaterEqual, true) => true,
             (Comparison::Equal, _) => {
-                let help = "a range of one value is written `1 <= λ <= 1`";
+                let help = "a number has a name by `let c = 2;`; the range of one value is `1 <= λ <= 1`";
                 return Err(error(*span, "a range is made of inequalities, this is an equation", help));
             }
             _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),

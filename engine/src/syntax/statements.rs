@@ -226,10 +226,11 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 }
 
 /// Words with which statements begin elsewhere, and what to write.
-const ELSEWHERE: [(&str, &str); 12] = [
+const ELSEWHERE: [(&str, &str); 17] = [
     ("for foreach loop", "a loop stands behind the formula: `b[i] = t^i for i in 0..=3;`"),
     ("parameter parameters param params", "write `shape -1 <= λ <= 1;` for a shape parameter"),
-    ("claim claims assert lemma show property ensure check verify proof prop theorem", "write `prove …;`"),
+    ("claim claims assert lemma show property ensure check verify proof prop", "write `prove …;`"),
+    ("theorem join", "it stands outside of the family"),
     ("disprove deny", "write `refute …;`"),
     ("define def set var where", "write `let c = …;` for a name, `b[0] = …;` for a basis function"),
     ("variable variables interval", "write `domain 0 <= t <= 1;`"),
@@ -246,6 +247,13 @@ const ELSEWHERE: [(&str, &str); 12] = [
     (
         "values vector components",
         "the values are numbers: write a function for each component, `b[i, 0] = …; b[i, 1] = …;`",
+    ),
+    ("scalar", "a parameter of a family is `shape 0 <= λ <= 1;`; scalars belong to theorems"),
+    ("fn function", "a name with an argument is `let h(x) = x^2;`"),
+    ("at", "write `prove at t = 0 { b[0] = 1; }`"),
+    (
+        "curve surface patch",
+        "curves belong to theorems: `theorem Name { curve P = Family; … }` outside of the family",
     ),
     ("knots knot", "knots are the ends of spans: `domain 0 <= t <= 1, 1 <= t <= 2;`"),
 ];
@@ -541,6 +549,11 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
             if !is_simplex && !last {
                 return Ok(None);
             }
+        }
+        Some((TokenTree::Group(g), _)) if is_simplex && g.delimiter() != Delimiter::Parenthesis => {
+            let coordinates = if text == "triangle" { "u, v, w" } else { "u, v, w, x" };
+            let help = format!("write `domain {text} ({coordinates});`");
+            return Err(error(word.span(), format!("a {text} needs its coordinates in parentheses"), help));
         }
         Some((TokenTree::Ident(_), _)) if text == "triangle" => {
             let help = "write `domain triangle (u, v, w);`";

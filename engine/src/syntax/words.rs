@@ -36,8 +36,13 @@ pub(super) fn take_word(input: ParseStream<'_>) -> Result<Span> {
 
 /// `=` between a name and its value.
 pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
+    let at = input.span();
     match comparison(input)? {
         Some(Comparison::Equal) => Ok(()),
+        Some(other) => {
+            let message = format!("expected `=` after `{}`, found `{}`", name.text, other.symbol());
+            Err(error(at, message, "write `=`: a value stands here, and no range"))
+        }
         _ => {
             let found = unexpected(input, &format!("`=` after `{}`", name.text));
             let help = if input.peek(Token![:]) && input.peek2(Token![=]) {

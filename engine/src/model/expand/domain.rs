@@ -35,9 +35,9 @@ pub(super) fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
             let error = scope
                 .error(statement.span, "the domain is declared twice")
                 .also(first, "first declared here");
-            scope.report(
-                error.help("list several variables in one statement: `domain 0 <= u <= 1, 0 <= v <= 1;`"),
-            );
+            scope.report(error.help(
+                "list several variables in one statement, `domain 0 <= u <= 1, 0 <= v <= 1;`, and spans of one, `domain 0 <= t <= 1, 1 <= t <= 2;`",
+            ));
             continue;
         }
         let domain = match &statement.kind {

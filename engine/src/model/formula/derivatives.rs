@@ -5,8 +5,10 @@ use proc_macro2::Span;
 use super::Value;
 use crate::advice::along_edges;
 use crate::algebra::poly::Var;
+use crate::model::formula::print::Printer;
 use crate::model::label;
 use crate::model::scope::Scope;
+use crate::model::words::PI;
 use crate::syntax::{Expr, ExprKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -59,6 +61,11 @@ impl Scope<'_> {
                         return None;
                     }
                 },
+                (None, None) if rest.len() > 1 => {
+                    let error = self.error(argument.span, "an order stands behind its variable");
+                    self.report(error.help("write `D(b[0], t, 2)`, with one variable `D(b[0], 2)`"));
+                    return None;
+                }
                 (None, None) => {
                     let var = self.only_domain_variable(span)?;
                     steps.push((var, self.whole(argument, "the order of a derivative")?));
@@ -79,6 +86,19 @@ impl Scope<'_> {
             self.report(error.help("orders are whole numbers, such as `D(b[0], 2)`"));
             return None;
         }
+        if let ExprKind::Call(callee, values) = &f.kind
+            && matches!(&callee.kind, ExprKind::Index(..) | ExprKind::Call(..) | ExprKind::Name(_))
+            && self.is_function(callee)
+            && steps.iter().all(|(var, _)| self.is_domain_variable(*var))
+            && !values.iter().any(|value| self.mentions_domain(value))
+        {
+            let printer = Printer { constants: &self.constants, component: None };
+            let shown = values.mapped(|value| printer.print(value)).join(", ");
+            let (own, base) = (printer.print(f), printer.print(callee));
+            let error = self.error(f.span, format!("`{own}` does not depend on the domain variable"));
+            self.report(error.help(format!("differentiate first: `D({base})({shown})`")));
+            return None;
+        }
         let value = self.value(f)?;
         let mut result = Vec::new();
         let (list, single) = match value {
@@ -95,6 +115,33 @@ impl Scope<'_> {
         match result.pop() {
             Some((_, only)) if single => Some(Value::Scalar(only)),
             last => Some(Value::List(result.into_iter().chain(last).listed())),
+        }
+    }
+
+    /// Whether an expression is a basis function, the list of them, or a derivative of these.
+    fn is_function(&self, expr: &Expr) -> bool {
+        match &expr.kind {
+            ExprKind::Name(name) => *name == self.function_name,
+            ExprKind::Index(base, _) => self.is_function(base),
+            ExprKind::Call(callee, arguments) => {
+                matches!(&callee.kind, ExprKind::Name(name) if name == "D")
+                    && arguments.first().is_some_and(|f| self.is_function(f))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a domain variable stands in an expression, or a name that may stand for one.
+    fn mentions_domain(&self, expr: &Expr) -> bool {
+        let is_shape = |name: &str| {
+            self.variable(name).is_some_and(|var| !self.is_domain_variable(var))
+                || self.is_list_of_shapes(name)
+        };
+        match &expr.kind {
+            ExprKind::Name(name) => {
+                self.mentions_variable(expr) && !PI.contains(&name.as_str()) && !is_shape(name)
+            }
+            _ => expr.parts().iter().any(|part| self.mentions_domain(part)),
         }
     }
 

@@ -203,6 +203,7 @@ impl Library<'_> {
             }
             let Some(orders) = self.orders(MAIN, family) else { continue };
             let before = items.len();
+            let errors = self.diagnostics.borrow().errors();
             for order in &orders {
                 if self.run.is_stopped() {
                     return items;
@@ -215,6 +216,11 @@ impl Library<'_> {
                 let source = self.units[MAIN].source;
                 let mut warnings = Diagnostics::default();
                 warnings.extend(unused::warnings(family, &|span| self.place(source, span)));
+                if self.diagnostics.borrow().errors() == errors {
+                    let claims = items[before..].iter().flat_map(|item| &item.claims);
+                    let made = claims.map(|claim| claim.statement.number.0).listed();
+                    warnings.extend(unused::never_made(family, &made, &|span| self.place(source, span)));
+                }
                 self.report_all(warnings);
             }
         }

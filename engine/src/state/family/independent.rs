@@ -439,7 +439,18 @@ pub(super) fn witness(
                 [only] => only.clone(),
                 several => format!("({})", several.join(", ")),
             };
-            let note = format!("the functions are independent{here}, so {exception} is no exception");
+            let mut note = format!("the functions are independent{here}, so {exception} is no exception");
+            // `except α = -3, β = 0` is two exceptions.
+            let single =
+                |values: &Vec<(Var, Rational)>| if let [(var, _)] = values[..] { Some(var) } else { None };
+            if let [first, others @ ..] = &except[..]
+                && others.iter().any(|other| single(other) != single(first))
+                && except.iter().all(|values| single(values).is_some())
+            {
+                let all =
+                    except.iter().flatten().map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
+                note = format!("{note}; one that needs all of these values is `except ({})`", all.join(", "));
+            }
             (String::from(SQUARES), squares(found), note)
         }
         (basis_kernel::Witness::Dependent(_, factors), Some(rational)) => {

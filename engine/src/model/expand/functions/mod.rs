@@ -341,7 +341,9 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
             }
             _ => {
                 let error = scope.error(i.span, "`raise` needs a new name for each index");
-                scope.report(error.help("write `raise b[i,j,k] = …;`"));
+                scope.report(error.help(
+                    "write `raise b[i] = …;` with the functions of the order before on the right, `b[i]` and `b[i - 1]`",
+                ));
                 scope.cut_short = true;
                 return;
             }

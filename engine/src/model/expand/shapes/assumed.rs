@@ -42,6 +42,14 @@ pub(in crate::model::expand) fn assume(
 }
 
 fn assume_one(scope: &mut Scope<'_>, relation: &Written, shapes: &mut Shapes) -> Option<()> {
+    let mut sides = core::iter::once(&relation.left)
+        .chain([&relation.right])
+        .chain(relation.chain.iter().map(|(_, side)| side));
+    if !sides.any(|side| scope.mentions_variable(side)) {
+        let error = scope.error(relation.span, "an assumption is about shape parameters");
+        scope.report(error.help("which orders there are is said where they are declared: `family F(n in 2..=4)`; conditions on indices stand behind `if`"));
+        return None;
+    }
     let mut left = &relation.left;
     let first = core::iter::once((relation.comparison, &relation.right));
     for (sign, right) in first.chain(relation.chain.iter().map(|(sign, side)| (*sign, side))) {

@@ -311,11 +311,19 @@ fn primary(decl: &ShapeDecl) -> Option<usize> {
     }
 }
 
+/// Words for the end of a range that has none.
+const INFINITE: [&str; 5] = ["inf", "infty", "infinity", "Infinity", "oo"];
+
 /// Whether a part of a chain is a parameter that is declared here, and its name; `None` in place of it where that is
 /// reported.
 fn target(scope: &mut Scope<'_>, decl: &ShapeDecl, k: usize, others: &Others) -> ControlFlow<Option<Name>> {
     let Some(name) = name_of(scope, &decl.parts[k]) else { return ControlFlow::Break(None) };
     let Some(name) = name else { return ControlFlow::Continue(()) };
+    if INFINITE.contains(&name.text.as_str()) && primary(decl) != Some(k) {
+        let error = scope.error(name.span, format!("`{}` is no number", name.text));
+        scope.report(error.help("leave the end of the range out: `0 < λ` has no upper end"));
+        return ControlFlow::Break(None);
+    }
     let first = base(&name.text);
     let indexed = first.len() < name.text.len();
     let free = |scope: &Scope<'_>| {
