@@ -434,3 +434,53 @@ fn false_by_little_along_a_border() {
     assert_eq!([&found[2], &found[4]], ["="; 2], "{found:?}");
     assert!([0, 1, 3].iter().all(|k| found[*k].contains(" at ")), "{found:?}");
 }
+
+/// Ranges without an end, which an assumption gives them.
+#[test]
+fn ranges_have_the_ends_that_an_assumption_gives_them() {
+    let found = verdicts(
+        "family Monotone {
+            domain 0 <= t <= 1;
+            shape 0 <= α, 0 <= β;
+            assume α^2 + β^2 <= 9;
+            f[0] = t^2*(3 - 2*t) + α*t*(1 - t)^2 - β*t^2*(1 - t);
+            prove D(f[0]) >= 0;
+        }
+        family Irrational {
+            domain 0 <= t <= 1;
+            shape 0 <= α, 0 <= β;
+            assume 2*α^2 + β^2 <= 9;
+            f[0] = t^2*(3 - 2*t) + α*t*(1 - t)^2 - β*t^2*(1 - t);
+            prove D(f[0]) >= 0;
+            refute D(f[0]) >= 1/100;
+        }",
+    );
+    assert_eq!([&found[0], &found[1]], ["="; 2], "{found:?}");
+    assert!(found[2].contains(" at "), "{found:?}");
+}
+
+/// What is assumed of scalars says nothing of the coordinates of points, which may be any numbers.
+#[test]
+fn points_beside_scalars_that_are_related() {
+    let found = verdicts(
+        "theorem Coordinates {
+            scalar 0 <= a <= 1, 0 <= b <= 1;
+            assume a*b >= 1/4;
+            curve P = Bernstein(1);
+            dimension 1;
+            refute P[0][0] <= 1;
+            refute b*P[0][0] <= 1;
+            refute a == b;
+        }
+        theorem Anywhere {
+            scalar -1 <= a <= 1, -1 <= b <= 1;
+            assume a^2 + b^2 <= 1;
+            curve P = Bernstein(1);
+            refute b == b + 1/10;
+            refute a == 2*a;
+            refute P[1] == P[1] + 1/10*P[0];
+            refute (1 + a)*P[0] parallel P[1];
+        }",
+    );
+    assert!(found.iter().all(|verdict| !verdict.contains("undecided")), "{found:?}");
+}

@@ -443,7 +443,7 @@ pub(super) fn witness(
             // `except α = -3, β = 0` is two exceptions.
             let single =
                 |values: &Vec<(Var, Rational)>| if let [(var, _)] = values[..] { Some(var) } else { None };
-            if let [first, others @ ..] = &except[..]
+            if let [first, others @ ..] = except
                 && others.iter().any(|other| single(other) != single(first))
                 && except.iter().all(|values| single(values).is_some())
             {

@@ -11,7 +11,9 @@ use basis_prover::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
-use basis_prover::{Coordinate, Failure, Shown, Symmetries, decide as decide_statement, typical};
+use basis_prover::{
+    Coordinate, Counterexample, Failure, Shown, Symmetries, decide as decide_statement, typical,
+};
 
 use super::family::{on_part, premises_counterexample};
 use super::inequality::{self, Said, compared};
@@ -20,6 +22,7 @@ use super::verdict::{Evidence, Stated, Verdict};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{PolyExt, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference};
 use crate::theorem::{Theorem, Unit};
 use axes::Axes;
@@ -249,15 +252,25 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
     }
 }
 
+/// A counterexample to an equation, also among points at which premises hold.
+fn refuted(statement: Statement, budget: u32) -> Option<Counterexample> {
+    let under_premises = |work: &mut Work| premises_counterexample(&statement, work);
+    if let Some(found) = basis_prover::working(budget, &mut |work| under_premises(work)) {
+        return Some(found);
+    }
+    match decide_statement(statement, &Symmetries::new(), budget) {
+        Err(Failure::Refuted(found)) => Some(*found),
+        _ => None,
+    }
+}
+
 /// An equation that does not hold: a net on which a part of it fails.
 fn equation(theorem: &Theorem, claim: &Claim) -> Verdict {
     let domain = theorem.scalar_domain();
     let kind = settled(theorem, &claim.kind);
     for net in witness_nets(theorem, claim) {
         for Stated { of, statement, .. } in on_points(theorem, &kind, &net, &domain) {
-            if let Err(Failure::Refuted(found)) =
-                decide_statement(statement, &Symmetries::new(), theorem.budget)
-            {
+            if let Some(found) = refuted(statement, theorem.budget) {
                 let witness = witness(theorem, of, Some(&net), &found, false);
                 return explained(theorem, claim, witness, "the two sides differ by");
             }

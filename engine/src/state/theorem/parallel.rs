@@ -448,9 +448,7 @@ fn not_proportional(theorem: &Theorem, claim: &Claim, sides: [&Side; 2]) -> Verd
     for net in witness_nets(theorem, claim) {
         let parts = parts_of_both(theorem, sides.map(|side| &side.value), &net);
         for Stated { of, statement, .. } in minors(&parts, sides, &domain) {
-            if let Err(Failure::Refuted(found)) =
-                decide_statement(statement, &Symmetries::new(), theorem.budget)
-            {
+            if let Some(found) = super::refuted(statement, theorem.budget) {
                 let witness = witness(theorem, of, Some(&net), &found, false);
                 return explained(theorem, claim, witness, "the directions differ:");
             }

@@ -202,7 +202,7 @@ fn steps(
             let mut ladder = Ladder::new(family, angle, range, sample);
             ladder.start(
                 &format!("{of} reversed"),
-                &mirrored(family, angle, range, &value)?,
+                &mirrored(family, angle, range, &value, work)?,
                 strict,
                 work,
             )?;
@@ -240,7 +240,13 @@ fn steps(
 }
 
 /// A function with the variable running from the upper to the lower end of the domain, where both belong to it or neither does.
-fn mirrored(family: &Family, angle: &Angle, range: &Range, value: &Fraction) -> Option<Fraction> {
+fn mirrored(
+    family: &Family,
+    angle: &Angle,
+    range: &Range,
+    value: &Fraction,
+    work: &mut Work,
+) -> Option<Fraction> {
     let [(y, reversed), (s, place)] = angle.mirror.as_slice() else { return None };
     // What takes the place of one contains only that one, and shape parameters.
     let fits = range.low.is_included() == range.high.is_included()
@@ -250,7 +256,8 @@ fn mirrored(family: &Family, angle: &Angle, range: &Range, value: &Fraction) -> 
     if !fits {
         return None;
     }
-    value.substitute(*y, reversed)?.substitute(*s, place)
+    let other = value.substitute_within(*y, reversed, work).ok()??;
+    other.substitute_within(*s, place, work).ok()?
 }
 
 /// What is enough by the ladder of derivatives where the shape parameters in exponentials have no largest values.

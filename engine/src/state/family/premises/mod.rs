@@ -13,6 +13,7 @@
 //! the kernel to see.
 
 mod ends;
+mod narrower;
 mod points;
 mod positive;
 mod search;
@@ -24,7 +25,7 @@ use std::rc::Rc;
 
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
-use crate::algebra::range::{End, Range, Region};
+use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_within;
 pub(super) use points::inside;
@@ -40,9 +41,6 @@ const STARTS: usize = 6;
 
 /// How often steps of one length are made.
 const REPEATED: usize = 4;
-
-/// How often what lies between an irrational end and a rational one beyond it is halved.
-const NARROWED: usize = 40;
 
 /// Sums of more terms are not squared.
 const MAX_SQUARED: usize = 12;
@@ -109,6 +107,7 @@ impl Sign<'_> {
             .or_else(|| self.by_number(seen))
             .or_else(|| self.squared())
             .or_else(|| self.narrowed())
+            .or_else(|| self.bounded(depth))
     }
 
     /// The factors g(x·v) of a polynomial and the rest, g(x) a premise and v a variable, as of cos(t) = g(tan(t/4))·h
@@ -133,49 +132,6 @@ impl Sign<'_> {
             }
         }
         (rest, found)
-    }
-
-    /// The same on narrower ranges: premises in one variable with an irrational zero leave out what lies beyond it.
-    fn narrowed(&self) -> Option<Vec<Statement>> {
-        let mut region = self.domain.region.clone();
-        let mut all = Vec::new();
-        for (g, _) in &self.domain.premises {
-            let [x] = g.variables()[..] else { continue };
-            let Some((_, range)) = region.ranges.iter_mut().find(|(v, _)| *v == x) else { continue };
-            let Some((low, high)) = range.finite().map(|(a, b)| (a.clone(), b.clone())) else { continue };
-            let value = |at: &Rational| g.at(x, at).as_constant().map_or(0, |c| c.signum());
-            // From an end at which the premise fails towards the middle of what it leaves.
-            for (end, upper) in [(&low, false), (&high, true)] {
-                let other = if upper { &low } else { &high };
-                if value(end) >= 0 {
-                    continue;
-                }
-                let half = |a: &Rational, b: &Rational| &(a + b) * &Rational::new(1, 2);
-                let inner = (1..=8).map(|k| end + &(&(other - end) * &Rational::new(k, 8)));
-                let Some(mut inner) = inner.into_iter().find(|at| value(at) > 0) else { continue };
-                let mut outer = end.clone();
-                for _ in 0..NARROWED {
-                    let middle = half(&outer, &inner);
-                    if value(&middle) < 0 { outer = middle } else { inner = middle }
-                }
-                let cut = if upper {
-                    Range::closed(outer.clone(), high.clone())
-                } else {
-                    Range::closed(low.clone(), outer.clone())
-                };
-                let beyond = Domain::of(Region { ranges: vec![(x, cut)] });
-                let value = Quotient::from(-g);
-                all.push(Statement::Sign { value, relation: Relation::Positive, domain: Rc::new(beyond) });
-                let end = End::Excluded(outer);
-                if upper { range.high = end } else { range.low = end }
-            }
-        }
-        if all.is_empty() {
-            return None;
-        }
-        let domain = Rc::new(Domain { premises: Vec::new(), region, ..self.domain.clone() });
-        all.push(Statement::Sign { value: self.value.clone(), relation: self.relation, domain });
-        Some(all)
     }
 
     /// That each factor has the sign that it has at a point inside, if their product has the right one there.
@@ -516,6 +472,7 @@ fn common(p: &Poly, domain: &Domain) -> Poly {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::range::Region;
     use crate::algebra::work::Work;
     use basis_prover::Coordinate;
 

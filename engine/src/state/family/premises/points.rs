@@ -6,7 +6,7 @@ use basis_prover::collections::sort::sort_by_key;
 use basis_prover::typical;
 
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
-use crate::algebra::range::Range;
+use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 
 /// Points at which functions are looked at, at most.
@@ -22,12 +22,26 @@ pub(in crate::state::family) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<
     sample(&p.clone().into(), domain)?.into_iter().filter(counts).max_by_key(room)
 }
 
-/// The ranges of all variables; of those of a simplex what surrounds it.
+/// The ranges of the variables that have one; of those of a simplex what surrounds it.
 pub(super) fn ranges(domain: &Domain) -> Vec<(Var, Range)> {
     let mut all = domain.region.ranges.clone();
     for simplex in &domain.simplices {
         let range = Range::closed(Rational::ZERO, simplex.sum.clone());
         all.extend(simplex.variables.iter().map(|var| (*var, range.clone())));
+    }
+    all
+}
+
+/// The ranges of all variables: of those that may have any value, as coordinates of points may, the whole line.
+pub(super) fn all_ranges(value: &Quotient, domain: &Domain) -> Vec<(Var, Range)> {
+    let mut all = ranges(domain);
+    let premises = domain.premises.iter().map(|(g, _)| g);
+    for p in [&value.numerator, &value.denominator].into_iter().chain(premises) {
+        for var in p.variables() {
+            if all.iter().all(|(known, _)| *known != var) {
+                all.push((var, Range { low: End::Infinite, high: End::Infinite }));
+            }
+        }
     }
     all
 }
@@ -85,7 +99,7 @@ fn put_in_order(p: &Poly, variables: &[Var], points: &[Vec<Rational>], all: &mut
 
 /// Points of a domain, by variable, its corners and many inside; a variable on which nothing depends has one value.
 pub(super) fn sample(value: &Quotient, domain: &Domain) -> Option<Vec<Vec<Rational>>> {
-    let ranges = ranges(domain);
+    let ranges = all_ranges(value, domain);
     let occurs = |var: &Var| {
         let premises = domain.premises.iter().map(|(g, _)| g);
         [&value.numerator, &value.denominator].into_iter().chain(premises).any(|p| p.depends_on(*var))

@@ -6,7 +6,7 @@ use basis_prover::{Coordinate, Counterexample, refute};
 use core::cmp::Ordering;
 use std::rc::Rc;
 
-use super::points::{directions, fits, ranges, sample, values};
+use super::points::{all_ranges, directions, fits, sample, values};
 use super::touching;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::Range;
@@ -33,7 +33,7 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     // Of points with the same value the one that is farthest inside has the most room around it.
     let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
     let at = |point: &[Rational], work: &mut Work| {
-        let ranges = ranges(domain);
+        let ranges = all_ranges(value, domain);
         let coordinates = ranges.mapped(|(var, _)| (*var, Coordinate::Rational(point[var.0].clone())));
         refute(&Rc::new(statement.clone()), &coordinates, work)
     };
@@ -55,7 +55,7 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     }
     let (mut point, mut least) = best?;
     // Downhill in smaller and smaller steps.
-    let ranges = ranges(domain);
+    let ranges = all_ranges(value, domain);
     let moving =
         |(var, _): &&(Var, Range)| value.numerator.depends_on(*var) || value.denominator.depends_on(*var);
     let moving: Vec<&(Var, Range)> = ranges.iter().filter(moving).collect();
@@ -156,7 +156,7 @@ impl<'d> Slopes<'d> {
             let mut inward = at(premise);
             within(&mut inward);
             let (towards, length) = (dot(&down, &inward), dot(&inward, &inward));
-            if let Some(share) = (&-towards).checked_div(&length).filter(Rational::is_positive) {
+            if let Some(share) = (-towards).checked_div(&length).filter(Rational::is_positive) {
                 let along = down.iter().zip(&inward).map(|(d, g)| d + &(g * &share)).listed();
                 all.push((along, Some(inward)));
             }
