@@ -93,3 +93,36 @@ impl Region {
         self.ranges.iter().find(|(v, _)| *v == var).map_or(Range::all(), |(_, r)| r.clone())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_count_as_declared() {
+        let n = Rational::from;
+        let all = |x: i64| [End::Included(n(x)), End::Excluded(n(x)), End::Infinite];
+        for low in all(1) {
+            for (high_at, high) in [1, 2, 0].into_iter().flat_map(|at| all(at).map(|end| (at, end))) {
+                let range = Range { low: low.clone(), high: high.clone() };
+                let below = |x: i64| match &low {
+                    End::Included(_) => x >= 1,
+                    End::Excluded(_) => x > 1,
+                    End::Infinite => true,
+                };
+                let above = |x: i64| match &high {
+                    End::Included(_) => x <= high_at,
+                    End::Excluded(_) => x < high_at,
+                    End::Infinite => true,
+                };
+                for x in -1..=3 {
+                    assert_eq!(range.contains(&n(x)), below(x) && above(x), "{x} in {range:?}");
+                }
+                // Between 1 and 2 there are others.
+                let any = (-1..=3).any(|x| below(x) && above(x));
+                let between = below(2) && (high_at == 2 || high == End::Infinite) || low == End::Infinite;
+                assert_eq!(range.is_empty(), !any && !between, "{range:?}");
+            }
+        }
+    }
+}

@@ -35,7 +35,7 @@ impl Work {
     /// Counts the work of a product of polynomials; there is never enough for degrees of 2¹⁴ and more.
     pub fn spend_product(&mut self, a: &Poly, b: &Poly) -> Option<()> {
         if a.total_degree().max(b.total_degree()) >= 1 << 14 {
-            return self.spend(u64::MAX);
+            return self.spend(self.left).and(None);
         }
         // A product of terms costs about as much as six products of numbers.
         self.spend(6 * (a.len() * b.len()) as u64 * ((a.max_bits() + b.max_bits()) / 64 + 1) + 1)
@@ -56,5 +56,40 @@ impl Work {
     /// The units that are left.
     pub const fn left(&self) -> u64 {
         self.left
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::done::done;
+    use super::*;
+    use crate::algebra::poly::Monomial;
+
+    #[test]
+    fn what_is_spent_is_not_left() {
+        let mut work = Work::new(7);
+        assert_eq!((work.spend(3), work.left()), (Some(()), 4));
+        assert_eq!((work.spend(4), work.left()), (Some(()), 0));
+        assert_eq!((work.spend(0), work.spend(1)), (Some(()), None));
+        let mut work = Work::new(7);
+        assert_eq!((work.spend(8), work.left(), work.spend(1)), (None, 0, None));
+        assert_eq!(Work::usual(3).left(), 600_000_000);
+        assert_eq!(Work::usual(u32::MAX).left(), 200_000_000 * u64::from(u32::MAX));
+    }
+
+    #[test]
+    fn exponents_that_could_wrap_are_refused() {
+        let power = |e: u16| Poly::term(Monomial::new(vec![e]), Rational::ONE);
+        let mut work = Work::unlimited();
+        assert!(work.spend_product(&power((1 << 14) - 1), &power(3)).is_some());
+        assert!(work.spend_product(&power(3), &power(1 << 14)).is_none());
+        assert!(Work::unlimited().spend_product(&power(1 << 14), &power(0)).is_none());
+    }
+
+    #[test]
+    fn operations_are_noted() {
+        let before = done();
+        let sum = &Poly::integer(1) + &Poly::var(Var(0));
+        assert!(done() > before && sum.len() == 2);
     }
 }
