@@ -484,3 +484,32 @@ fn points_beside_scalars_that_are_related() {
     );
     assert!(found.iter().all(|verdict| !verdict.contains("undecided")), "{found:?}");
 }
+
+/// A product with something positive follows from what is assumed, and so does the sign itself.
+#[test]
+fn signs_of_products_with_positive_parameters() {
+    let found = verdicts(
+        "family Hyperbola {
+            domain 0 <= t <= 1;
+            shape 0 <= λ <= 1, -1 <= μ <= 1;
+            assume λ*μ >= 1/4;
+            b[0] = λ;
+            b[1] = t - t*μ;
+            prove μ >= 0;
+            prove b[1] <= 3/4;
+            refute b[1] <= 74/100;
+            refute μ > 1/4;
+        }
+        family Unbounded {
+            domain 0 <= t <= 1;
+            shape 0 <= λ;
+            shape μ;
+            assume λ*μ >= 1;
+            b[0] = λ + t;
+            b[1] = μ;
+            prove μ >= 0;
+        }",
+    );
+    assert_eq!([&found[0], &found[1], &found[4]], ["="; 3], "{found:?}");
+    assert!(found[2].contains(" at ") && found[3].contains(" at "), "{found:?}");
+}

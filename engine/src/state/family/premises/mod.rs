@@ -5,6 +5,8 @@
 //!
 //! Where g is a polynomial in one variable, f = q·g + r by division, and q ≥ 0 and r ≥ 0 are enough.
 //!
+//! Where x > 0, f has the sign of x·f.
+//!
 //! Where f has at most one degree more than g: f = P + N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then. The product m may
 //! be P² there.
 //!
@@ -21,6 +23,7 @@ mod touching;
 
 use basis_kernel::{Domain, Quotient, Relation, Statement};
 use basis_prover::collections::list::Listed;
+use basis_prover::collections::sort::sort;
 use std::rc::Rc;
 
 use crate::algebra::divisors::factor::checked_factor;
@@ -106,6 +109,7 @@ impl Sign<'_> {
             .or_else(|| self.by_factors())
             .or_else(|| self.by_number(seen))
             .or_else(|| self.squared())
+            .or_else(|| self.multiplied())
             .or_else(|| self.narrowed())
             .or_else(|| self.bounded(depth))
     }
@@ -180,6 +184,50 @@ impl Sign<'_> {
             c.is_positive() && others.iter().all(|v| m.exponent(*v).is_multiple_of(2))
         };
         self.squared_from(&nonnegative).or_else(|| self.squared_from(&positive))
+    }
+
+    /// That a variable is positive where the premises hold, and its product with the quotient has the sign.
+    fn multiplied(&self) -> Option<Vec<Statement>> {
+        let premises = self.domain.premises.iter();
+        let mut variables = premises.flat_map(|(g, _)| g.variables()).listed();
+        sort(&mut variables);
+        variables.dedup();
+        let [nonnegative, _] = signed(variables, self.domain);
+        nonnegative.into_iter().find_map(|v| {
+            let x = Poly::var(v);
+            let positive = self.positive(v)?;
+            if self.relation == Relation::Positive && self.value == Quotient::from(x.clone()) {
+                return Some(positive);
+            }
+            let numerator = &self.value.numerator * &x;
+            let value = Quotient { numerator, ..self.value.clone() };
+            Some([positive, Sign { value, ..*self }.by_any_number()?].concat())
+        })
+    }
+
+    /// That a variable which is ≥ 0 is positive: a premise fails where it is 0, or a multiple of one shows it.
+    fn positive(&self, v: Var) -> Option<Vec<Statement>> {
+        let sign =
+            |value: Poly| Sign { value: value.into(), relation: Relation::Positive, domain: self.domain };
+        let fails_at_zero = self.domain.premises.iter().find_map(|(g, _)| {
+            let sign = sign(-&g.at(v, &Rational::ZERO));
+            let fails = match sign.value.numerator.as_constant() {
+                Some(c) => !c.is_positive(),
+                None => Seen::new(&sign.value, self.domain)?.fails(sign.relation),
+            };
+            (!fails).then(|| vec![sign.plain()])
+        });
+        fails_at_zero.or_else(|| sign(Poly::var(v)).by_any_number())
+    }
+
+    /// By the box alone, or with a number times a premise taken away.
+    fn by_any_number(&self) -> Option<Vec<Statement>> {
+        let seen = Seen::new(&self.value, self.domain)?;
+        if seen.fails(self.relation) {
+            self.by_number_times(&seen, Some(&Poly::one()))
+        } else {
+            Some(vec![self.plain()])
+        }
     }
 
     /// The same where P consists of some terms.
