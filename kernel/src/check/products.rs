@@ -110,3 +110,26 @@ pub(super) fn is_semidefinite(mut rest: Vec<Vec<Rational>>, work: &mut Work) -> 
     // Nothing positive is left on the diagonal: any entry that is not zero makes the form negative somewhere.
     Some(rest.iter().flatten().all(Rational::is_zero))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_matrix_is_semidefinite_if_no_vector_has_a_negative_square() {
+        let decide = |rows: &[&[i64]]| {
+            let rows = rows.iter().map(|row| row.iter().map(|x| Rational::from(*x)).collect()).collect();
+            is_semidefinite(rows, &mut Work::unlimited())
+        };
+        assert_eq!(decide(&[&[2, 3], &[3, 5]]), Some(true));
+        assert_eq!(decide(&[&[2, 3], &[3, 4]]), Some(false)); // 4·2 < 3·3
+        assert_eq!(decide(&[&[4, 6], &[6, 9]]), Some(true));
+        assert_eq!(decide(&[&[0, 1], &[1, 0]]), Some(false));
+        assert_eq!(decide(&[&[0, 0], &[0, -1]]), Some(false));
+        assert_eq!(decide(&[&[2, 1, 5], &[1, 3, 5], &[5, 5, 15]]), Some(true)); // of determinant 0
+        assert_eq!(decide(&[&[2, 1, 5], &[1, 3, 5], &[5, 5, 14]]), Some(false));
+        let one =
+            || vec![vec![Rational::from(1), Rational::from(2)], vec![Rational::from(2), Rational::from(5)]];
+        assert_eq!(is_semidefinite(one(), &mut Work::new(0)), None);
+    }
+}
