@@ -122,7 +122,6 @@ fn powers_of(c: &mut [BigInt], factor: &BigInt) {
 
 /// Replaces x by x + h in a sum of powers of x.
 fn shift(c: &mut [BigInt], h: &BigInt) {
-    did((c.len() * c.len()) as u64 * (1 + c.last().map_or(0, |c| c.bits() / 128)));
     for i in 0..c.len().saturating_sub(1) {
         for j in (i..c.len() - 1).rev() {
             let (low, high) = c.split_at_mut(j + 1);
@@ -133,6 +132,7 @@ fn shift(c: &mut [BigInt], h: &BigInt) {
             }
         }
     }
+    did((c.len() * c.len()) as u64 / 4 * (1 + c.first().map_or(0, |c| c.bits() / 64)));
 }
 
 /// Takes the steps by way of whole numbers over a common denominator: without common divisors after every sum.

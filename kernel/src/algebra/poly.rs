@@ -38,7 +38,7 @@ fn merge(a: Vec<Term>, b: Vec<Term>) -> Vec<Term> {
 
 /// The sum or the difference of two polynomials that are kept.
 fn combined(a: &[Term], b: &[Term], minus: bool) -> Vec<Term> {
-    did(5 + 2 * (a.len() + b.len()) as u64);
+    did(5 + (a.len() + b.len()) as u64 / 2);
     let of_b = |(m, c): &Term| (m.clone(), if minus { -c } else { c.clone() });
     let mut sum = Vec::with_capacity(a.len() + b.len());
     let (mut i, mut j) = (0, 0);
