@@ -80,3 +80,21 @@ impl<'t> Tree<'t> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depth_and_words_have_limits() {
+        let nested = |depth: usize| format!("{}x{}", "(".repeat(depth), ")".repeat(depth));
+        assert!(Tree::read(&nested(MAX_DEPTH)).is_ok());
+        for deeper in [1, 2, 100] {
+            assert!(Tree::read(&nested(MAX_DEPTH + deeper)).is_err());
+        }
+        assert!(Tree::read(&"1".repeat(MAX_WORD)).is_ok());
+        for longer in [1, 2, 100] {
+            assert!(Tree::read(&"1".repeat(MAX_WORD + longer)).is_err());
+        }
+    }
+}
