@@ -15,6 +15,11 @@ basis! {
         b[1] = (2 - z)*(p + r)*x^2;
         b[2] = 1 - b[0] - b[1];
     }
+    family Corners {
+        domain 0 <= z <= 1, tetrahedron (p, q, r, s), 0 <= x <= 1;
+        b[k,i,j,l,m,n] = (1 - k + (2*k - 1)*z) * p^i*q^j*r^l*s^m * (1 - n + (2*n - 1)*x)
+            for k in 0..=1, i, j, l, m in simplex(1), n in 0..=1;
+    }
     family Pair {
         domain triangle (u, v, w), triangle (r, s, t);
         b[0] = u*(v + t)*(w + r*s);
@@ -223,6 +228,15 @@ mod elements {
         let serendipity = QuadraticWedge::<f64>::new().entities();
         assert_eq!([0, 1, 2].map(|dimension| serendipity.of_dimension(dimension).len()), [6, 9, 0]);
         assert_eq!(LinearWedge::<f64>::new().entities().of_dimension(0).len(), 6);
+        // The interval first: 2 · 4 · 2 corners, of which the coordinates z, s and x choose one.
+        let corners = Corners::<f64>::new();
+        let entities = corners.entities();
+        assert_eq!(entities.of_dimension(0).len(), 16);
+        for (i, node) in corners.nodes().expect("a nodal family").into_iter().enumerate() {
+            let [z, p, q, r, s, x] = node.map(|c| c.round() as usize);
+            let vertex = [p, q, r, s].iter().position(|c| *c == 1).expect("a corner");
+            assert_eq!(entities.functions(&[(4 * z + vertex) * 2 + x]), [i]);
+        }
         // Functions that are no products.
         assert_eq!(Pair::<f64>::new().nodes(), None);
     }

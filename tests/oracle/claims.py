@@ -424,6 +424,8 @@ class Independent(Claim):
             # A few points are enough where the rank is full.
             if count == len(members) + 1 and not has_floats(rows) and rank(rows) == len(members):
                 return True
+        if len(rows) < len(members):
+            return True  # the formulas have no values at most points
         if has_floats(rows):
             matrix = mpmath.matrix([[to_float(x) for x in row] for row in rows])
             least = min(mpmath.svd_r(matrix, compute_uv=False))

@@ -183,8 +183,11 @@ pub(super) fn never_made(
         matches!(&statement.kind, StatementKind::Claim(_)) && !made.contains(number)
     });
     let warning = |(_, statement): (usize, &syntax::Statement)| {
-        let warning = Diagnostic::error(place(statement.span), "the claim is about no order and no index");
-        warning.warning().help("widen what stands behind `for` or `if`, or leave it out")
+        let warning = Diagnostic::error(
+            place(statement.span),
+            "nothing is claimed: no order and no index fits what stands behind `for` or `if`",
+        );
+        warning.warning().help("widen it, or leave the claim out")
     };
     idle.map(warning).collect()
 }

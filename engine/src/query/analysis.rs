@@ -176,6 +176,10 @@ mod tests {
         assert_eq!(expected.len(), 2, "{expected:?}");
         let mut later = Analysis::new(&Disk, source());
         forget_tokens();
+        let _other = Analysis::new(
+            &Disk,
+            Source::text("other.basis", "family Other { domain 0 <= t <= 1; b[0] = 1; }"),
+        );
         while later.decide_next() {}
         assert_eq!(shown(&later), expected);
         assert_eq!(shown(&at_once), expected);

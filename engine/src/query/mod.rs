@@ -28,8 +28,8 @@ pub use vocabulary::{WORDS, Word, WordKind, is_name, word};
 /// Forgets the tokens of all texts that this thread has read. A program that reads for hours, as a language server does, would
 /// otherwise keep every version of a text.
 ///
-/// What an [`Analysis`] or a [`Document`] holds stays valid; a [`Library`](crate::Library) that was made on this thread before must
-/// not be asked any more, and panics where it looks for the place of a mistake. Not for macros.
+/// What an [`Analysis`] or a [`Document`] holds stays valid. A [`Library`](crate::Library) that was made on this thread before must
+/// not be asked any more: where it looks for the place of a mistake it panics, or names one in another text. Not for macros.
 pub fn forget_tokens() {
     proc_macro2::extra::invalidate_current_thread_spans();
 }

@@ -81,7 +81,15 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
         let names: Vec<&str> = name.trim_matches(['(', ')']).split(',').map(str::trim).collect();
         let help = match ends.split_once(',') {
             Some(_) if names.len() > 1 => {
-                let each: Vec<String> = names.iter().map(|name| format!("0 <= {name} <= 1")).collect();
+                let intervals = intervals(input);
+                let each: Vec<String> = names
+                    .iter()
+                    .enumerate()
+                    .map(|(k, name)| {
+                        let [low, high] = intervals.get(k).or(intervals.last()).cloned().unwrap_or_default();
+                        format!("{low} <= {name} <= {high}")
+                    })
+                    .collect();
                 format!("write a range for each variable: `{}`", each.join(", "))
             }
             Some((low, high)) if !high.contains(',') => {
@@ -111,6 +119,23 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
         });
     }
     Ok((parts, included))
+}
+
+/// The ends of the intervals in `in [0, 1] x [-1, 1]`.
+fn intervals(input: ParseStream<'_>) -> Vec<[String; 2]> {
+    let mut all = Vec::new();
+    let mut at = input.cursor();
+    while let Some((token, after)) = at.token_tree() {
+        at = after;
+        if let TokenTree::Group(g) = &token {
+            let text = g.stream().to_string();
+            let Some((low, high)) = text.split_once(',') else { break };
+            all.push([low, high].map(|end| end.trim().replace("- ", "-")));
+        } else if matches!(&token, TokenTree::Punct(p) if p.as_char() == ';') {
+            break;
+        }
+    }
+    all
 }
 
 /// The error for `λ > 0 λ < 1`.

@@ -1,6 +1,7 @@
 //! Cells as products of simplices, an interval being the simplex with two corners.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use super::tabulation::lattice;
 use crate::DomainFactor;
@@ -9,6 +10,8 @@ use crate::DomainFactor;
 pub(crate) struct Factor {
     /// The number of corners.
     pub(super) corners: usize,
+    /// The components of an index that are coordinates: of an interval one, of a simplex all.
+    pub(super) coordinates: Range<usize>,
     /// The degree of the polynomials.
     pub(super) degree: usize,
     /// The index of each polynomial, one component for each corner, with the degree as their sum.
@@ -18,12 +21,13 @@ pub(crate) struct Factor {
 impl Factor {
     /// A simplex, its polynomials in lexicographic order of their indices.
     pub(crate) fn simplex(corners: usize, degree: usize) -> Self {
-        Self { corners, degree, indices: lattice(corners, degree) }
+        Self { corners, coordinates: 0..corners, degree, indices: lattice(corners, degree) }
     }
 
     /// An interval, the polynomial that is not 0 at its lower end first; that end is corner 0.
     pub(crate) fn interval(degree: usize) -> Self {
-        Self { corners: 2, degree, indices: (0..=degree).flat_map(|k| [degree - k, k]).collect() }
+        let indices = (0..=degree).flat_map(|k| [degree - k, k]).collect();
+        Self { corners: 2, coordinates: 1..2, degree, indices }
     }
 
     /// The number of polynomials.

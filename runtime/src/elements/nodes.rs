@@ -66,13 +66,12 @@ fn coordinates<V: Point>(weights: &[V], factors: &[Factor]) -> Option<Vec<f64>> 
     if factors.iter().any(|factor| factor.degree == 0) {
         return None;
     }
-    let own = |factor: &Factor| if factor.corners == 2 { 1..2 } else { 0..factor.corners };
-    let columns = factors.iter().map(|factor| own(factor).len()).sum();
+    let columns = factors.iter().map(|factor| factor.coordinates.len()).sum();
     let mut matrix = Vec::with_capacity(weights.len() * (V::DIM + columns));
     for (row, weights) in weights.iter().enumerate() {
         matrix.extend((0..V::DIM).map(|i| weights.component(i).to_f64()));
         for (factor, place) in factors.iter().zip(places(factors, row)) {
-            let index = &factor.index(place)[own(factor)];
+            let index = &factor.index(place)[factor.coordinates.clone()];
             matrix.extend(index.iter().map(|&k| k as f64 / factor.degree as f64));
         }
     }

@@ -18,9 +18,10 @@ const MOST_POINTS: usize = 1 << 22;
 /// the integral of `f` over the cell, exactly (but for rounding) for polynomials up to its [`degree`](Self::degree).
 ///
 /// `X` is what a family on the cell takes: a parameter on an interval, coordinates on a box, barycentric coordinates on a
-/// simplex, all of them on a product such as a wedge ([`ProductBasis::quadrature`](crate::ProductBasis::quadrature)). There the integral is that over the coordinates but the last, so that the weights have the sum `1/2` on a
+/// simplex. There the integral is that over the coordinates but the last, so that the weights have the sum `1/2` on a
 /// triangle and `1/6` on a tetrahedron: the same variables in which
-/// [`partials`](crate::SimplexBasis::partials) and [`tabulate`](crate::SimplexBasis::tabulate) differentiate. The
+/// [`partials`](crate::SimplexBasis::partials) and [`tabulate`](crate::SimplexBasis::tabulate) differentiate. On a product such as
+/// a wedge, [`ProductBasis::quadrature`](crate::ProductBasis::quadrature), a point has the coordinates of all factors. The
 /// integral over a cell in space that is the image of this one has the factor `|det J|` with the matrix `J` of these
 /// derivatives.
 ///

@@ -61,8 +61,8 @@ impl Scope<'_> {
                         return None;
                     }
                 },
-                (None, None) if rest.len() > 1 => {
-                    let error = self.error(argument.span, "an order stands behind its variable");
+                (None, None) if rest.len() > 1 && rest.iter().any(|other| self.mentions_domain(other)) => {
+                    let error = self.error(argument.span, "the order of a derivative follows its variable");
                     self.report(error.help("write `D(b[0], t, 2)`, with one variable `D(b[0], 2)`"));
                     return None;
                 }
@@ -93,10 +93,11 @@ impl Scope<'_> {
             && !values.iter().any(|value| self.mentions_domain(value))
         {
             let printer = Printer { constants: &self.constants, component: None };
-            let shown = values.mapped(|value| printer.print(value)).join(", ");
-            let (own, base) = (printer.print(f), printer.print(callee));
-            let error = self.error(f.span, format!("`{own}` does not depend on the domain variable"));
-            self.report(error.help(format!("differentiate first: `D({base})({shown})`")));
+            let printed = |all: &[Expr]| all.mapped(|part| printer.print(part)).join(", ");
+            let derivative = printed(&[core::slice::from_ref(&**callee), rest].concat());
+            let own = printer.print(f);
+            let error = self.error(f.span, format!("`{own}` depends on no domain variable"));
+            self.report(error.help(format!("differentiate first: `D({derivative})({})`", printed(values))));
             return None;
         }
         let value = self.value(f)?;

@@ -124,7 +124,14 @@ fn idle(theorem: &Theorem, kind: &ClaimKind) -> Vec<String> {
         let mut given = theorem.points.iter().enumerate().filter(|(_, point)| point.name == *label);
         given.any(|(k, point)| used.contains(&k) || point.coordinates.iter().any(|var| kind.depends_on(*var)))
     };
-    let scalars = theorem.scalars.iter().filter(|p| !kind.depends_on(p.var)).map(|p| p.name.clone());
+    // What is assumed of a scalar together with one that matters has to hold at the point, too.
+    let premises = theorem.scalar_domain();
+    let related = |var: Var| {
+        let mut own = premises.premises.iter().map(|(g, _)| g).filter(|g| g.depends_on(var));
+        own.any(|g| g.variables().into_iter().any(|other| kind.depends_on(other)))
+    };
+    let alone = theorem.scalars.iter().filter(|p| !kind.depends_on(p.var) && !related(p.var));
+    let scalars = alone.map(|p| p.name.clone());
     let labels = theorem
         .patches
         .iter()

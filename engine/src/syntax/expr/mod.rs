@@ -329,12 +329,10 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
 
 const CONDITIONS: &str = "conditions stand behind loops, `for i in 0..=n if i != 1`, and at the end of a statement: write a statement for each case, `… if i == 0;`";
 
-/// Whether what follows is `= 1/2` and the end of an argument, and no range.
+/// Whether what follows is `= 1/2` and the end of the arguments, and no range.
 fn gives_a_value(content: ParseStream<'_>) -> bool {
     let ahead = content.fork();
-    matches!(comparison(&ahead), Ok(Some(Comparison::Equal)))
-        && sum(&ahead, 0).is_ok()
-        && (ahead.is_empty() || ahead.peek(Token![,]))
+    matches!(comparison(&ahead), Ok(Some(Comparison::Equal))) && sum(&ahead, 0).is_ok() && ahead.is_empty()
 }
 
 fn separator(content: ParseStream<'_>) -> Result<()> {

@@ -87,10 +87,12 @@ pub(super) fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<
             "ranges are declared, `shape 0 <= λ <= 1;` (in theorems `scalar`), conditions `assume λ <= μ;`; index variables follow after `for`, and what holds of them and of index parameters after `if`: `if n > 1`"
         }
         "at" => "a place comes first: `prove at t = 0 { b[0] = 1; }`",
-        "eps" | "epsilon" | "ε" | "ulp" | "ulps" if matches!(before.kind, ExprKind::Number(_)) => {
+        "eps" | "epsilon" | "ε" | "ulp" | "ulps"
+            if matches!(before.kind, ExprKind::Number(_)) && ends_after(input) =>
+        {
             "a bound of rounding errors is a number, in units of ε: `rounding <= 5`"
         }
-        _ if matches!(before.kind, ExprKind::List(_)) => {
+        _ if matches!(&before.kind, ExprKind::List(ends) if ends.len() == 2) && ends_after(input) => {
             "a range is written with its variable inside: `domain 0 <= t <= 1;`"
         }
         "triangle" | "tetrahedron" => {
@@ -107,6 +109,12 @@ const NO_DIFFERENTIAL: &str = "leave the differential out: `integral(x)` is over
 /// Whether nothing follows after the next token, as in `integral(x dt)`.
 fn is_last(input: ParseStream<'_>) -> bool {
     input.cursor().token_tree().is_some_and(|(_, after)| after.eof())
+}
+
+/// Whether a statement ends after the next token.
+fn ends_after(input: ParseStream<'_>) -> bool {
+    let after = input.cursor().token_tree().map(|(_, after)| after);
+    after.is_some_and(|after| after.eof() || after.punct().is_some_and(|(p, _)| p.as_char() == ';'))
 }
 
 /// Whether an expression is a call of `integral`.

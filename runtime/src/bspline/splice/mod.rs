@@ -133,13 +133,13 @@ crate::bspline::setters! {
 }
 
 impl SpliceOptions {
-    /// With a second row that is corrected where it is, see [`carry`](Self::carry).
+    /// Without the change of the edge in the second row before that is corrected, see [`carry`](Self::carry).
     #[must_use]
     pub fn without_carrying(self) -> Self {
         Self { carry: false, ..self }
     }
 
-    /// With an edge that keeps its degree and its knots, see [`merge`](Self::merge).
+    /// Without raising the degree along the edge and inserting the target's knots first, see [`merge`](Self::merge).
     #[must_use]
     pub fn without_merging(self) -> Self {
         Self { merge: false, ..self }

@@ -47,7 +47,7 @@ fn assume_one(scope: &mut Scope<'_>, relation: &Written, shapes: &mut Shapes) ->
         .chain(relation.chain.iter().map(|(_, side)| side));
     if !sides.any(|side| scope.mentions_variable(side)) {
         let error = scope.error(relation.span, "an assumption is about shape parameters");
-        scope.report(error.help("which orders there are is said where they are declared: `family F(n in 2..=4)`; conditions on indices stand behind `if`"));
+        scope.report(error.help("the range of orders is declared with the family, `family F(n in 2..=4)`; conditions on indices stand behind `if`"));
         return None;
     }
     let mut left = &relation.left;

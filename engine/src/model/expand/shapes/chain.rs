@@ -319,17 +319,22 @@ const INFINITE: [&str; 5] = ["inf", "infty", "infinity", "Infinity", "oo"];
 fn target(scope: &mut Scope<'_>, decl: &ShapeDecl, k: usize, others: &Others) -> ControlFlow<Option<Name>> {
     let Some(name) = name_of(scope, &decl.parts[k]) else { return ControlFlow::Break(None) };
     let Some(name) = name else { return ControlFlow::Continue(()) };
-    if INFINITE.contains(&name.text.as_str()) && primary(decl) != Some(k) {
-        let error = scope.error(name.span, format!("`{}` is no number", name.text));
-        scope.report(error.help("leave the end of the range out: `0 < λ` has no upper end"));
-        return ControlFlow::Break(None);
-    }
     let first = base(&name.text);
     let indexed = first.len() < name.text.len();
     let free = |scope: &Scope<'_>| {
         let scalar = if indexed { scope.variable(first).is_some() } else { scope.taken(first).is_some() };
         scope.variable(&name.text).is_none() && !scalar
     };
+    let is_end = (k == 0 || k + 1 == decl.parts.len()) && primary(decl) != Some(k);
+    if is_end
+        && INFINITE.contains(&name.text.as_str())
+        && scope.taken(first).is_none()
+        && scope.planned.named(first).is_none()
+    {
+        let error = scope.error(name.span, format!("`{}` is no number", name.text));
+        scope.report(error.help("leave the end of the range out: `0 < λ` has no upper end"));
+        return ControlFlow::Break(None);
+    }
     // In `0 <= μ[i] <= μ[i + 1] for i in 1..n` the step before has declared the first name, and this one the next.
     let goes_on = indexed
         && scope.variable(&name.text).is_some()

@@ -13,7 +13,7 @@
 //! Positivity", 1968, chapter 2). At the ends it follows by continuity.
 //!
 //! Other functions are combinations of such ones, b = A·c, and the minors of a product are sums of products of minors: A is to be
-//! totally nonnegative, as in `total`.
+//! totally nonnegative, as in `minors`.
 //!
 //! The zeros are found exactly. For wₖ the number 1 is taken where it is in Eₖ, otherwise a sum of functions that vanish at a and b as
 //! the b[i] do, only less often.
@@ -31,9 +31,8 @@ use crate::model::Family;
 const MAX_FUNCTIONS: usize = 7;
 
 /// What is left to decide where there is no proof; minors of such functions are not looked at.
-pub(in crate::state::family) const OPEN: &str = "no functions of the span were found that vanish at the ends as Bernstein polynomials do, of which these \
-                               are made by a totally nonnegative matrix, nor could the Wronskians of neighbouring functions be shown \
-                               to be positive";
+pub(in crate::state::family) const OPEN: &str = "no functions of the span were found that vanish at the ends as Bernstein polynomials do, of which these are made by a totally \
+     nonnegative matrix, nor could the Wronskians of neighbouring functions be shown to be positive";
 
 /// Whether a variable or a shape parameter stands beside its sine or exponential in a function.
 pub(in crate::state::family) fn is_mixed(family: &Family) -> bool {

@@ -106,6 +106,11 @@ impl Sign<'_> {
         divided(true)
             .or_else(|| self.at_irrational_ends())
             .or_else(|| divided(false))
+            // A factor alone, of which from a few points little can be seen where a range has no end.
+            .or_else(|| {
+                let alone = self.value.numerator.len() == 1 && self.is_unbounded();
+                alone.then(|| self.multiplied())?
+            })
             .or_else(|| self.by_factors())
             .or_else(|| self.by_number(seen))
             .or_else(|| self.squared())
@@ -186,6 +191,13 @@ impl Sign<'_> {
         self.squared_from(&nonnegative).or_else(|| self.squared_from(&positive))
     }
 
+    /// Whether a variable of the premises has a range without an end.
+    fn is_unbounded(&self) -> bool {
+        let ranges = self.domain.region.ranges.iter();
+        let mut open = ranges.filter(|(_, range)| range.finite().is_none());
+        open.any(|(v, _)| self.domain.premises.iter().any(|(g, _)| g.depends_on(*v)))
+    }
+
     /// That a variable is positive where the premises hold, and its product with the quotient has the sign.
     fn multiplied(&self) -> Option<Vec<Statement>> {
         let premises = self.domain.premises.iter();
@@ -209,15 +221,15 @@ impl Sign<'_> {
     fn positive(&self, v: Var) -> Option<Vec<Statement>> {
         let sign =
             |value: Poly| Sign { value: value.into(), relation: Relation::Positive, domain: self.domain };
-        let fails_at_zero = self.domain.premises.iter().find_map(|(g, _)| {
+        let negative_at_zero = self.domain.premises.iter().find_map(|(g, _)| {
             let sign = sign(-&g.at(v, &Rational::ZERO));
-            let fails = match sign.value.numerator.as_constant() {
-                Some(c) => !c.is_positive(),
-                None => Seen::new(&sign.value, self.domain)?.fails(sign.relation),
+            let is_negative = match sign.value.numerator.as_constant() {
+                Some(c) => c.is_positive(),
+                None => !Seen::new(&sign.value, self.domain)?.fails(sign.relation),
             };
-            (!fails).then(|| vec![sign.plain()])
+            is_negative.then(|| vec![sign.plain()])
         });
-        fails_at_zero.or_else(|| sign(Poly::var(v)).by_any_number())
+        negative_at_zero.or_else(|| sign(Poly::var(v)).by_any_number())
     }
 
     /// By the box alone, or with a number times a premise taken away.

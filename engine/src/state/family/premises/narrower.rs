@@ -75,11 +75,9 @@ impl Sign<'_> {
                 if end.value().is_some() {
                     continue;
                 }
-                let Some((number, is_attained, g)) =
-                    self.domain.premises.iter().find_map(|(g, _)| beyond(g, x, upper, &region))
-                else {
-                    continue;
-                };
+                let mut premises = self.domain.premises.iter();
+                let found = premises.find_map(|(g, _)| Some((g, beyond(g, x, upper, &region)?)));
+                let Some((g, (number, is_attained))) = found else { continue };
                 let mut outside = region.clone();
                 // Where the premise is 0 at the number itself, that belongs to what is left.
                 let outer =
@@ -90,7 +88,7 @@ impl Sign<'_> {
                     Range { low: End::Infinite, high: outer }
                 };
                 let domain = Domain { premises: Vec::new(), region: outside, ..self.domain.clone() };
-                let value = Quotient::from(-&g);
+                let value = Quotient::from(-g);
                 all.push(Statement::Sign { value, relation: Relation::Positive, domain: Rc::new(domain) });
                 let own = &mut region.ranges[k].1;
                 if upper { own.high = End::Included(number) } else { own.low = End::Included(number) }
@@ -107,9 +105,9 @@ impl Sign<'_> {
     }
 }
 
-/// A number beyond which a polynomial seems to be negative, whether it is 0 there, and the polynomial; all other variables are
-/// where they are nearest to 0.
-fn beyond(g: &Poly, x: Var, upper: bool, region: &Region) -> Option<(Rational, bool, Poly)> {
+/// A number beyond which a polynomial seems to be negative, and whether it is 0 there; all other variables are where they are
+/// nearest to 0.
+fn beyond(g: &Poly, x: Var, upper: bool, region: &Region) -> Option<(Rational, bool)> {
     if !g.depends_on(x) {
         return None;
     }
@@ -145,11 +143,11 @@ fn beyond(g: &Poly, x: Var, upper: bool, region: &Region) -> Option<(Rational, b
     let (low, high) = if upper { (&inner, &outer) } else { (&outer, &inner) };
     let root = simplest_within(low, high);
     if sign(&root) == 0 {
-        return Some((root, true, g.clone()));
+        return Some((root, true));
     }
     // A short number somewhat farther out.
     let width = &(&outer - &start).abs() * &Rational::new(1, 64);
     let far = if upper { &outer + &width } else { &outer - &width };
     let (low, high) = if upper { (outer, far) } else { (far, outer) };
-    Some((simplest_within(&low, &high), false, g.clone()))
+    Some((simplest_within(&low, &high), false))
 }

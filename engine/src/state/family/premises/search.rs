@@ -16,6 +16,9 @@ use crate::algebra::work::Work;
 /// Steps that are tried on the way down.
 const MAX_TRIES: usize = 3000;
 
+/// How much a way along a border turns inwards, in units of its length.
+const TURNS: [i64; 4] = [0, 1, 4, 16];
+
 /// A counterexample to an equation, or to a statement about a sign, under premises, among some points.
 pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -> Option<Counterexample> {
     let (value, relation, domain) = match statement {
@@ -179,9 +182,6 @@ impl<'d> Slopes<'d> {
         moves
     }
 }
-
-/// How much a way along a border turns inwards, in units of its length.
-const TURNS: [i64; 4] = [0, 1, 4, 16];
 
 /// A direction with components up to 1, which are short numbers.
 fn rounded(direction: &[Rational]) -> Option<Vec<Rational>> {
