@@ -368,6 +368,18 @@ const SURFACE: &[Case<S>] = &[
                 .map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
         })
     }),
+    ("SpliceOptions::without_carrying", |s, a, b| {
+        let joint = EdgePair { first: Edge::UEnd, second: Edge::VStart, reversed: a > 0.0 };
+        let options = SpliceOptions::default().method(Method::LeastSquares).without_carrying();
+        let options = options.gap(a).angle(b).spans(6);
+        splice(s, s, joint, &options).map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
+    }),
+    ("SpliceOptions::without_merging", |s, a, b| {
+        let joint = EdgePair { first: Edge::UEnd, second: Edge::VStart, reversed: a > 0.0 };
+        let options = SpliceOptions::default().method(Method::LeastSquares).without_merging();
+        let options = options.gap(a).angle(b).spans(6);
+        splice(s, s, joint, &options).map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
+    }),
     ("Network::new", |s, _, _| Network::new(vec![s.clone()], Vec::new()).is_ok()),
     ("Network::grid", |s, _, _| {
         let patches = || vec![s.clone(), s.clone()];

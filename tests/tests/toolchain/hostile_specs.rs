@@ -301,7 +301,7 @@ fn claims_count_for_what_they_take() {
         (unit("b[0] = t;"), "prove (t - 1/5)^30*(t + 1/7)^30 > 0;", 5_000),
         (unit("b[i] = (t + i/7)^30 for i in 0..=30;"), "prove independent;", 50_000),
         (unit(high), "prove symmetric;", 50_000),
-        (unit(high), "prove partition_of_unity;", 5_000),
+        (unit(high), "prove partition_of_unity;", 2_000),
         (unit(assumed), "prove (x*t + y)^2 <= 2;", 5_000),
         (unit(many), "prove rounding <= 50;", 50_000),
         (unit(many), "refute symmetric;", 50_000),
