@@ -87,7 +87,6 @@ impl Scope<'_> {
             return None;
         }
         if let ExprKind::Call(callee, values) = &f.kind
-            && matches!(&callee.kind, ExprKind::Index(..) | ExprKind::Call(..) | ExprKind::Name(_))
             && self.is_function(callee)
             && steps.iter().all(|(var, _)| self.is_domain_variable(*var))
             && !values.iter().any(|value| self.mentions_domain(value))

@@ -22,7 +22,6 @@ use super::verdict::{Evidence, Stated, Verdict};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{PolyExt, Var};
 use crate::algebra::rational::Rational;
-use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference};
 use crate::theorem::{Theorem, Unit};
 use axes::Axes;
@@ -254,9 +253,9 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
 
 /// A counterexample to an equation, also among points at which premises hold.
 fn refuted(statement: Statement, budget: u32) -> Option<Counterexample> {
-    let under_premises = |work: &mut Work| premises_counterexample(&statement, work);
-    if let Some(found) = basis_prover::working(budget, &mut |work| under_premises(work)) {
-        return Some(found);
+    let found = basis_prover::working(budget, &mut |work| premises_counterexample(&statement, work));
+    if found.is_some() {
+        return found;
     }
     match decide_statement(statement, &Symmetries::new(), budget) {
         Err(Failure::Refuted(found)) => Some(*found),

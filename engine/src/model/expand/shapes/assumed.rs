@@ -42,9 +42,8 @@ pub(in crate::model::expand) fn assume(
 }
 
 fn assume_one(scope: &mut Scope<'_>, relation: &Written, shapes: &mut Shapes) -> Option<()> {
-    let mut sides = core::iter::once(&relation.left)
-        .chain([&relation.right])
-        .chain(relation.chain.iter().map(|(_, side)| side));
+    let further = relation.chain.iter().map(|(_, side)| side);
+    let mut sides = [&relation.left, &relation.right].into_iter().chain(further);
     if !sides.any(|side| scope.mentions_variable(side)) {
         let error = scope.error(relation.span, "an assumption is about shape parameters");
         scope.report(error.help("the range of orders is declared with the family, `family F(n in 2..=4)`; conditions on indices stand behind `if`"));
