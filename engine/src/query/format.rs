@@ -375,6 +375,8 @@ impl<'t> Writer<'t> {
 
 #[cfg(test)]
 mod tests {
+    use proc_macro2::{TokenStream, TokenTree};
+
     use super::*;
 
     fn formatted(text: &str) -> String {
@@ -383,7 +385,29 @@ mod tests {
         assert_eq!(once, again, "a second time nothing changes");
         let words = |text: &str| tokens(text).iter().map(|t| t.text(text).to_string()).collect::<Vec<_>>();
         assert_eq!(words(text), words(&once), "nothing is lost");
+        assert_eq!(read(text), read(&once), "it is read as before");
         once
+    }
+
+    /// The tokens that the parser reads.
+    fn read(text: &str) -> Option<Vec<String>> {
+        fn leaves(stream: TokenStream) -> Vec<String> {
+            let each = |tree| match tree {
+                TokenTree::Group(group) => leaves(group.stream()),
+                leaf => vec![leaf.to_string()],
+            };
+            stream.into_iter().flat_map(each).collect()
+        }
+        text.parse().ok().map(leaves)
+    }
+
+    #[test]
+    fn numbers_that_end_with_a_point() {
+        let text = "family F { b[0] = 1.-t; prove b[0] <= 3. for i in 0..=3. if i != 1; }";
+        assert_eq!(
+            formatted(text),
+            "family F {\n    b[0] = 1. - t;\n    prove b[0] <= 3. for i in 0..=3. if i != 1;\n}\n"
+        );
     }
 
     #[test]

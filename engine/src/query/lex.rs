@@ -103,8 +103,10 @@ fn next(text: &str, first: char) -> (TokenKind, usize) {
     let run = |text: &str| text.find(|c| !in_word(c)).unwrap_or(text.len());
     if first.is_ascii_digit() {
         let whole = run(text);
-        let fraction =
-            text[whole..].strip_prefix('.').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+        // As in Rust, a point at the end of a number belongs to it, unless a range or a name begins there.
+        let fraction = text[whole..]
+            .strip_prefix('.')
+            .filter(|rest| !rest.starts_with(|c: char| c == '.' || in_word(c) && !c.is_ascii_digit()));
         return (TokenKind::Number, fraction.map_or(whole, |rest| whole + 1 + run(rest)));
     }
     if in_word(first) {
@@ -171,6 +173,8 @@ mod tests {
         assert_eq!(words("use \"a b\"; use \"open\nx"), ["use", "\"a b\"", ";", "use", "\"open", "x"]);
         assert_eq!(words("/* open λ"), ["/* open λ"]);
         assert_eq!(words("t² → 3"), ["t²", "→", "3"]);
+        assert_eq!(words("1. - 2.5.x"), ["1.", "-", "2.5", ".", "x"]);
+        assert_eq!(words("0..2. if 3.if"), ["0", "..", "2.", "if", "3", ".", "if"]);
     }
 
     #[test]

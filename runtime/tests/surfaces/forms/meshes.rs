@@ -26,7 +26,7 @@ where
             let corners = vertices.map(|vertex| mesh.positions[vertex.position as usize]);
             let flat = T::Point::from_components(|k| (0..3).map(|n| weights[n] / sum * corners[n][k]).sum());
             let surface = surfaces[vertices[0].surface as usize];
-            largest = largest.max(surface.nearest(flat, 1e-9).unwrap().at_least);
+            largest = largest.max(surface.nearest(flat, 1e-6).unwrap().at_least);
         }
     }
     for surface in surfaces {
@@ -37,11 +37,21 @@ where
             let point = [0, 1, 2].map(|k| point.component(k));
             let corners =
                 |triangle: &[u32; 3]| mesh.corners(*triangle).unwrap().map(|p| mesh.positions[p as usize]);
-            let away = mesh.triangles.iter().map(|triangle| to_triangle(point, corners(triangle)));
-            largest = largest.max(away.fold(f64::INFINITY, f64::min));
+            let away = mesh.triangles.iter().map(corners).fold(f64::INFINITY, |least, corners| {
+                if is_farther(point, corners, least) { least } else { least.min(to_triangle(point, corners)) }
+            });
+            largest = largest.max(away);
         }
     }
     largest
+}
+
+/// Whether a triangle lies beyond a plane, across one of the axes, that is at this distance from the point.
+fn is_farther(point: [f64; 3], [a, b, c]: [[f64; 3]; 3], distance: f64) -> bool {
+    (0..3).any(|k| {
+        let (low, high) = (a[k].min(b[k]).min(c[k]), a[k].max(b[k]).max(c[k]));
+        low - point[k] > distance || point[k] - high > distance
+    })
 }
 
 /// The distance of a point from a triangle, by the nearest of many of its points and the walk to a better one.
