@@ -133,6 +133,7 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
             StatementKind::Budget(_) => {}
         }
     }
+    used.extend(written.unread.iter().map(String::as_str));
     sort(&mut used);
     for order in &written.orders {
         let name = order.name.text.as_str();

@@ -291,6 +291,10 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
             let help = format!("{ON_A_PART}; for some of the shape values declare a family with that range");
             return error(start.span(), "`at` fixes values, this is a range", help);
         }
+        if input.fork().parse::<syn::Lit>().is_ok() {
+            let help = "write `prove at t = 1/2 { b[0] = 1; }`, with the name of the variable and without a comma in a number";
+            return error(input.span(), e.to_string(), help);
+        }
         if input.peek(Token![in]) {
             return error(input.span(), "`at` fixes values, this is a range", ON_A_PART);
         }

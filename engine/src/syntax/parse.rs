@@ -9,7 +9,7 @@ use super::statements::family;
 use super::tokens::{at_file_doc, unexpected};
 use super::words::{Doc, at_word, doc, take_word};
 use super::{Family, Home, Item, Spec, StatementKind, Theorem, Use, glyphs};
-use crate::advice::did_you_mean;
+use crate::advice::{did_you_mean, translated};
 use crate::source::MAX_BYTES;
 use basis_prover::collections::sort::sort_unique;
 
@@ -18,6 +18,18 @@ const ITEMS: [&str; 4] = ["family", "use", "theorem", "join"];
 
 const ITEM_HELP: &str =
     "an item is `family Name { … }`, `theorem Name { … }`, `join Name { … }` or `use \"file.basis\";`";
+
+/// Words with which statements begin, and in what they stand.
+const INSIDE: [(&str, &str); 2] = [
+    (
+        "curve surface patch scalar dimension",
+        "this belongs to a theorem, `theorem Name { curve P = Bernstein(3); … }`",
+    ),
+    (
+        "domain shape let prove refute conjecture b assume permute base raise budget",
+        "this belongs to a family, `family Name { domain 0 <= t <= 1; b[0] = 1 - t; … }`, or a theorem",
+    ),
+];
 
 /// Makes proc-macro2 lex and join spans by itself, so that a text has lines and columns inside of a
 /// compiler too; back to the compiler's own tokens when it goes.
@@ -235,7 +247,11 @@ fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> 
         return Err(found);
     }
     let help = match input.cursor().ident() {
-        Some((word, _)) => did_you_mean(&word.to_string(), &ITEMS, &|| String::from(ITEM_HELP)),
+        Some((word, _)) => {
+            let word = word.to_string();
+            let otherwise = || translated(&word, &INSIDE).unwrap_or_else(|| String::from(ITEM_HELP));
+            did_you_mean(&word, &ITEMS, &otherwise)
+        }
         None => String::from(ITEM_HELP),
     };
     Err(error(input.span(), found.to_string(), help))

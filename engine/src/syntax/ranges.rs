@@ -36,7 +36,15 @@ pub(super) fn shapes(input: ParseStream<'_>) -> Result<ShapeDecl> {
 pub(super) fn bounds(input: ParseStream<'_>, help: &str) -> Result<Bounds> {
     let start = input.span();
     let (parts, included) = chain(input, help)?;
-    let target = |e: Expr| if e.named().is_some() { Ok(e) } else { Err(no_target(e.span, help)) };
+    let target = |e: Expr| match e.named() {
+        Some(_) => Ok(e),
+        None if is_triangle(&e) => {
+            let message = "a range has one variable";
+            let help = "a triangle has barycentric coordinates, whose sum is 1: `domain triangle (u, v, w);`; parameters with a sum are `assume α + β <= 1;`";
+            Err(error(e.span, message, help))
+        }
+        None => Err(no_target(e.span, help)),
+    };
     let limit = |value, included: &bool| Some(Limit { value, included: *included });
     let mut parts = parts.into_iter();
     match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
@@ -147,6 +155,11 @@ fn of_two_ranges(e: Error, input: ParseStream<'_>, parts: &[Expr]) -> Error {
         }
         _ => e,
     }
+}
+
+/// A triangle as papers write it, `0 <= u, 0 <= v, u + v <= 1`.
+fn is_triangle(target: &Expr) -> bool {
+    matches!(&target.kind, ExprKind::Sum(terms) if terms.iter().all(|(_, term)| matches!(term.kind, ExprKind::Name(_))))
 }
 
 fn no_target(span: Span, help: &str) -> Error {

@@ -6,7 +6,7 @@ use syn::{Result, Token};
 
 use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
-use super::expr::{MAX_INDICES, expr, index_range, loops};
+use super::expr::{MAX_INDICES, METHODS, expr, index_range, loops};
 use super::ranges::{self, range};
 use super::tokens::{join, name, unexpected};
 use super::words::{Doc, at_word, doc, equals, names_between, skip_statement, take_word};
@@ -304,6 +304,9 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         Some(StatementKind::Claim(_)) if at_word(input, "at") => {
             "a property is claimed for all values; at some of them claim its equations or inequalities, `prove at λ = 0 { b[0] >= 0; }`"
         }
+        Some(StatementKind::Claim(claim)) if has_loops(claim) && input.peek(Token![,]) => {
+            "conditions stand behind the loops: `for i in 0..=n, j in 0..=n if i != j`"
+        }
         Some(StatementKind::Claim(_)) if input.peek(Token![,]) => {
             "write a statement for each claim: a statement ends with `;`"
         }
@@ -317,6 +320,11 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         }
         Some(StatementKind::Function(_)) if begins_values(input) => {
             "the range of an index follows after `for`: `b[i] = t^i for i in 0..=2;`"
+        }
+        Some(StatementKind::Claim(claim))
+            if matches!(claim.kind, super::ClaimKind::Independent(_)) && input.peek(Token![&&]) =>
+        {
+            "values that are left out are separated by commas, `except λ = 0, λ = 1`; those of one point stand in parentheses, `except (λ = 0, μ = 1)`"
         }
         Some(StatementKind::Claim(_)) if input.peek(Token![||]) || input.peek(Token![&&]) => {
             "write two claims: `&&` and `||` stand between conditions, behind `if`"
@@ -336,9 +344,22 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
             "the formulas on neighbouring spans are separated by a bar, `b[0] = t | 2 - t;`, statements by `;`"
         }
         _ if input.peek(Token![!]) => "write `factorial(n)`",
+        _ if input.peek(Token![.]) => METHODS,
+        _ if input.peek(Token![%]) => {
+            "write a part of the whole as a fraction, `1/2`, or as a decimal, `0.5`"
+        }
         _ => "a statement ends with `;`",
     };
     Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))
+}
+
+/// Whether a claim runs over index variables.
+fn has_loops(claim: &super::Claim) -> bool {
+    let own = match &claim.kind {
+        super::ClaimKind::Relation(relation) => &relation.loops,
+        _ => &claim.loops,
+    };
+    !own.generators.is_empty()
 }
 
 /// Whether an expression ends in a number.

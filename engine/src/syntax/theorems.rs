@@ -6,7 +6,7 @@ use syn::{Result, Token};
 
 use super::claims::assumption;
 use super::error::{error, is_missing_semicolon};
-use super::expr::{expr, loops};
+use super::expr::{METHODS, expr, loops};
 use super::ranges::{SHAPE_HELP, bounds};
 use super::tokens::{comparison, join, name, unexpected};
 use super::words::{Doc, at_word, doc, names_between, skip_statement, take_word, text_of};
@@ -171,10 +171,14 @@ fn statement(input: ParseStream<'_>) -> Result<Vec<TheoremStatement>> {
             TheoremStatementKind::Patch(..) if input.peek(syn::token::Brace) => {
                 "control points stand in brackets: `curve P = Bernstein(1) [(0, 0), (1, 1)];`"
             }
+            _ if input.peek(Token![.]) => METHODS,
             _ if !input.peek(Token![,]) && !input.peek(Token![&&]) && !input.peek(Token![||]) => {
                 "a statement ends with `;`"
             }
             TheoremStatementKind::Claim(_) => "write two claims: a statement ends with `;`",
+            TheoremStatementKind::Assume(_) if input.peek(Token![||]) => {
+                "every assumption holds: write a theorem for each of the cases"
+            }
             _ => "write two statements: a statement ends with `;`",
         };
         return Err(error(input.span(), message, help));

@@ -49,6 +49,10 @@ pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
                 "write `=`"
             } else if input.peek(syn::token::Paren) {
                 "leave the argument out: functions are those of the domain variable"
+            } else if name.text == "mut" {
+                "names keep their values: `let c = 1;`"
+            } else if input.peek(Token![:]) {
+                "leave the type out: every value is exact, `let c = 1/2;`"
             } else {
                 return Err(found);
             };

@@ -140,7 +140,12 @@ impl Elaboration<'_> {
             Comparison::Less | Comparison::Greater => Relation::Positive,
             Comparison::Equal | Comparison::NotEqual => {
                 let error = self.scope.error(span, "an assumption about scalars is an inequality");
-                self.scope.report(error.help("give a scalar its value by `let c = …;`"));
+                let help = if sign == Comparison::Equal {
+                    "give a scalar its value by `let c = …;`"
+                } else {
+                    "assume on which side it is, `assume a > b;`, in a theorem for each side"
+                };
+                self.scope.report(error.help(help));
                 return None;
             }
         };

@@ -68,6 +68,11 @@ impl Scope<'_> {
                 }
                 (None, None) => {
                     let var = self.only_domain_variable(span)?;
+                    if matches!(f.kind, ExprKind::Number(_)) {
+                        let error = self.error(argument.span, "the function stands before the order");
+                        self.report(error.help("write `D(b[0], 2)`"));
+                        return None;
+                    }
                     steps.push((var, self.whole(argument, "the order of a derivative")?));
                 }
                 (None, Some(_)) => {

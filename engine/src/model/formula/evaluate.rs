@@ -533,11 +533,11 @@ impl Scope<'_> {
                 constant((1..=n).fold(Rational::ONE, |p, k| &p * &Rational::from(k)))
             }
             ("floor", [x]) => {
-                let x = self.number(x, "the argument of `floor`")?;
+                let x = self.compared_number(x, "floor")?;
                 constant(x.floor())
             }
             ("ceil", [x]) => {
-                let x = self.number(x, "the argument of `ceil`")?;
+                let x = self.compared_number(x, "ceil")?;
                 constant(-(-x).floor())
             }
             ("min" | "max", [x, y]) => {
@@ -551,10 +551,13 @@ impl Scope<'_> {
                     "min" | "max" => format!("{name}(i, j)"),
                     _ => format!("{name}(n)"),
                 };
-                self.report(
-                    self.error(span, format!("wrong number of arguments for `{name}`"))
-                        .help(format!("write `{usage}`")),
-                );
+                let error = self.error(span, format!("wrong number of arguments for `{name}`"));
+                self.report(error.help(match (name, arguments) {
+                    ("min" | "max", [_]) => format!(
+                        "`{usage}` compares two numbers; that a function is nowhere larger is an inequality, `b[0] <= 1`"
+                    ),
+                    _ => format!("write `{usage}`"),
+                }));
                 None
             }
         }

@@ -10,6 +10,9 @@ use basis_prover::collections::list::Listed;
 /// Loops that run longer than this are refused.
 const MAX_ITERATIONS: i64 = 20_000;
 
+/// What to write for `b[0] >= 0 for t in 0..=1/2`.
+const ON_A_PART: &str = "a claim holds on the whole domain; of a part of it claim the function with another argument, `b[0](t/2) >= 0` for `0 <= t <= 1/2`; an index variable has a name of its own";
+
 impl Scope<'_> {
     /// Runs over all values of the index variables; `false` when a bound or condition went wrong or the
     /// body said so.
@@ -85,6 +88,7 @@ impl Scope<'_> {
                 )));
                 false
             }
+            Some("a domain variable") => self.check_free_or(name, ON_A_PART),
             Some(_) => self.check_free(name),
         }
     }

@@ -385,10 +385,15 @@ impl Scope<'_> {
 
     /// Reports a name that is declared although it already means something; whether it is free.
     pub(crate) fn check_free(&self, name: &Name) -> bool {
+        self.check_free_or(name, "choose another name")
+    }
+
+    /// As [`check_free`](Self::check_free), with what to write instead.
+    pub(crate) fn check_free_or(&self, name: &Name, help: &str) -> bool {
         let Some(what) = self.taken(&name.text) else { return true };
         let error =
             self.error(name.span, format!("`{}` is already {what}", name.text)).label("declared again here");
-        self.report(error.help("choose another name"));
+        self.report(error.help(help));
         false
     }
 

@@ -223,6 +223,10 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
                 let found = unexpected(&content, "`)` or an operator");
                 return Err(if content.peek(Token![if]) || content.peek(Token![for]) {
                     error(found.span(), found.to_string(), CONDITIONS)
+                } else if comparison(&content.fork()).is_ok_and(|sign| sign.is_some()) {
+                    error(found.span(), found.to_string(), format!("a comparison is no number; {CONDITIONS}"))
+                } else if content.peek(Token![.]) {
+                    error(found.span(), found.to_string(), METHODS)
                 } else {
                     found
                 });
@@ -270,6 +274,12 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
         Some((TokenTree::Punct(p), after)) if p.as_char() == '.' && after.literal().is_some() => {
             let found = unexpected(input, "a number, a name or `(`").to_string();
             Err(error(span, found, "a number begins with a digit: write `0.5`"))
+        }
+        Some((TokenTree::Punct(p), _)) if p.as_char() == '<' => {
+            let found = unexpected(input, "a number, a name or `(`").to_string();
+            let help =
+                "an inner product is `integral(b[0]*b[1])` of functions, in theorems `dot(a, b)` of points";
+            Err(error(span, found, help))
         }
         _ => Err(unexpected(input, "a number, a name or `(`")),
     }
@@ -327,6 +337,10 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
     Ok(parts)
 }
 
+/// What to write for `(1 - t).powi(2)`.
+pub(super) const METHODS: &str =
+    "functions stand before their arguments, `sin(t)`; a power is `(1 - t)^2`, a component `b[0, 1]`";
+
 const CONDITIONS: &str = "conditions stand behind loops, `for i in 0..=n if i != 1`, and at the end of a statement: write a statement for each case, `… if i == 0;`";
 
 /// Whether what follows is `= 1/2` and the end of the arguments, and no range.
@@ -351,6 +365,8 @@ fn separator(content: ParseStream<'_>) -> Result<()> {
             CONDITIONS
         } else if content.peek(Token![..]) {
             "a part of a list is written with a loop, `b[i] >= 0 for i in 0..=2`, a sum as `sum(b[i] for i in 0..=2)`"
+        } else if content.peek(Token![.]) {
+            METHODS
         } else {
             return Err(found);
         };

@@ -72,7 +72,7 @@ pub(super) fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<
     let help = match found.as_str() {
         _ if found.starts_with('d')
             && found.chars().count() == 2
-            && (is_integral(before) || is_last(input)) =>
+            && (is_integral(before) || is_last(input) || is_argument(input)) =>
         {
             NO_DIFFERENTIAL
         }
@@ -98,6 +98,9 @@ pub(super) fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<
         "triangle" | "tetrahedron" => {
             "the factors of a domain are separated by commas: `domain -1 <= z <= 1, triangle (u, v, w);`"
         }
+        _ if found.starts_with('_') && is_power(input) => {
+            "a truncated power is a formula for each span: `domain 0 <= t <= 1/2, 1/2 <= t <= 1; b[0] = 0 | (t - 1/2)^3;`"
+        }
         _ => "write `*` between the factors of a product",
     };
     Err(error(input.span(), format!("{NO_OPERATOR}`{found}`"), help))
@@ -109,6 +112,18 @@ const NO_DIFFERENTIAL: &str = "leave the differential out: `integral(x)` is over
 /// Whether nothing follows after the next token, as in `integral(x dt)`.
 fn is_last(input: ParseStream<'_>) -> bool {
     input.cursor().token_tree().is_some_and(|(_, after)| after.eof())
+}
+
+/// Whether a comma follows after the next token, as in `integral(x dt, 0, 1)`.
+fn is_argument(input: ParseStream<'_>) -> bool {
+    let after = input.cursor().token_tree().and_then(|(_, after)| after.punct());
+    after.is_some_and(|(sign, _)| sign.as_char() == ',')
+}
+
+/// Whether `+` or an exponent follows after the next token, as in `(t - 1)_+^3`.
+fn is_power(input: ParseStream<'_>) -> bool {
+    let after = input.cursor().token_tree().and_then(|(_, after)| after.punct());
+    after.is_some_and(|(sign, _)| matches!(sign.as_char(), '+' | '^'))
 }
 
 /// Whether a statement ends after the next token.
