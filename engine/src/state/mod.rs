@@ -44,13 +44,13 @@ fn about<'a>(family: &'a Family, claim: &'a Claim) -> &'a Family {
 
 /// What a claim says, as statements of which all have to be true; `None` when the budget does not suffice to expand them.
 ///
-/// Of a comparison in which an angle or exponent stands beside its sine or exponential there are several ways to statements
-/// that are enough for it. Their numbers are those of [`Evidence::ways`]; each of them will do, and 0 stands for what is not
+/// Of a comparison in which an angle or exponent stands beside its sine or exponential, and of one under assumptions, there are
+/// several ways to statements that are enough for it. Their numbers are those of [`Evidence::ways`]; each of them will do, and 0 stands for what is not
 /// given.
 pub fn statements(subject: &Subject, claim: &Claim, ways: &[usize]) -> Option<Vec<Stated>> {
     match subject {
         Subject::Family(family) => family::statements(about(family, claim), claim, ways),
-        Subject::Theorem(theorem) => theorem::statements(theorem, claim),
+        Subject::Theorem(theorem) => theorem::statements(theorem, claim, ways),
     }
 }
 

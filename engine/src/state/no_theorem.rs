@@ -6,7 +6,7 @@ use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::theorem::Theorem;
 
-pub(super) fn statements(theorem: &Theorem, _: &Claim) -> Option<Vec<Stated>> {
+pub(super) fn statements(theorem: &Theorem, _: &Claim, _: &[usize]) -> Option<Vec<Stated>> {
     match theorem.never {}
 }
 

@@ -459,6 +459,37 @@ fn ranges_have_the_ends_that_an_assumption_gives_them() {
     assert!(found[2].contains(" at "), "{found:?}");
 }
 
+/// The region of monotone cubics (F. N. Fritsch, R. E. Carlson, 1980), outside of the triangle α + β <= 3: the derivative is
+/// proved to be nonnegative by its product with α, and by what it is for α = 0.
+#[test]
+fn other_ways_follow_where_the_first_one_fails() {
+    let ellipse = |shape: &str, last: &str| {
+        format!(
+            "family Ellipse {{
+                domain 0 <= t <= 1;
+                shape {shape};
+                assume α^2 + α*β + β^2 - 6*α - 6*β + {last} <= 0;
+                b[0] = α*(1 - t)^2 + 2*(3 - α - β)*t*(1 - t) + β*t^2;
+                prove b[0] >= 0;
+            }}"
+        )
+    };
+    assert_eq!(verdicts(&ellipse("0 < α, 0 < β", "9")), ["="]);
+    assert_eq!(verdicts(&ellipse("0 <= α, 0 <= β", "9")), ["="]);
+    let found = verdicts(&ellipse("0 <= α, 0 <= β", "17/2"));
+    assert!(found[0].contains(" at "), "{found:?}");
+    let found = verdicts(
+        "theorem Product {
+            scalar 0 < λ <= 1;
+            scalar 0 < μ;
+            assume λ*μ >= 1/4;
+            prove μ >= 1/4;
+            refute μ >= 13/50;
+        }",
+    );
+    assert!(found[0] == "=" && found[1].contains(" at "), "{found:?}");
+}
+
 /// What is assumed of scalars says nothing of the coordinates of points, which may be any numbers.
 #[test]
 fn points_beside_scalars_that_are_related() {

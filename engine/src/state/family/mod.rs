@@ -10,7 +10,7 @@ mod independent;
 mod point;
 mod positivity;
 mod powers;
-mod premises;
+pub(in crate::state) mod premises;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
 mod spans;
@@ -35,8 +35,6 @@ use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
 use positivity::{chebyshev, minors, wronskian};
-#[cfg(feature = "joins")]
-pub(in crate::state) use premises::{counterexample as premises_counterexample, without as without_premises};
 use witness::witness;
 
 #[cfg(any(test, feature = "tools"))]
@@ -97,6 +95,8 @@ enum Saying<'w> {
     Enough(&'w mut core::slice::Iter<'w, usize>),
     /// What is enough for it, by the ways that lead to a proof, of which the numbers are noted.
     Found(&'w mut Vec<usize>),
+    /// The same, where also the ways after the first one are tried that lead away from assumptions.
+    Tried(&'w mut Vec<usize>),
     /// What is enough for it by one way, for as many comparisons as are counted; nothing where that leads nowhere.
     By(usize, &'w mut usize),
 }
@@ -185,7 +185,7 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
     let plainly = matches!(saying, Saying::Plainly);
     let by_wronskians = match saying {
         Saying::Enough(ways) => by_wronskians(kind, ways.as_slice()) && ways.next().is_some(),
-        Saying::Found(ways) => by_wronskians(kind, ways),
+        Saying::Found(ways) | Saying::Tried(ways) => by_wronskians(kind, ways),
         Saying::Plainly | Saying::By(..) => false,
     };
     let inside;
@@ -241,7 +241,8 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
                 let stated =
                     Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
                 let stated = Stated { is_stronger, ..stated };
-                let Some(enough) = premises::without(&stated.statement).filter(|_| !plainly) else {
+                let enough = if plainly { None } else { away_from_premises(&stated.statement, saying) };
+                let Some(enough) = enough else {
                     all.push(Said { stated, of, piece: part.0.clone() });
                     continue;
                 };
@@ -253,6 +254,15 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         }
     }
     Some(all)
+}
+
+/// What is enough for a statement where what is assumed is no part of a box, by the way that is given or found.
+fn away_from_premises(statement: &Statement, saying: &mut Saying<'_>) -> Option<Vec<Statement>> {
+    match saying {
+        Saying::Enough(ways) => premises::by_next(statement, ways),
+        Saying::Tried(ways) => premises::tried(statement, ways),
+        Saying::Plainly | Saying::Found(_) | Saying::By(..) => premises::without(statement),
+    }
 }
 
 /// The label of a statement about one of several parts of the points.
@@ -402,6 +412,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         if let Some(verdict) = refuted_under_premises(family, claim, &said.iter().filter(is_sign).listed()) {
             return verdict;
         }
+        if let Some(verdict) = proved_by_later_ways(family, claim) {
+            return verdict;
+        }
     }
     let labels = said.iter().map(|s| (s.stated.of.clone(), s.of.clone(), s.piece.clone())).listed();
     let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
@@ -454,6 +467,17 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
             _ => format!("`{of}`: {left}"),
         }),
     }
+}
+
+/// A claim that is proved by other ways from what is assumed than the first ones.
+fn proved_by_later_ways(family: &Family, claim: &Claim) -> Option<Verdict> {
+    let mut ways = Vec::new();
+    let said = said(family, claim, &mut Saying::Tried(&mut ways))?;
+    if ways.is_empty() {
+        return None;
+    }
+    let stated = said.into_iter().map(|s| s.stated).listed();
+    all(stated, family.budget).ok().map(|shown| proved(family, claim, shown, ways))
 }
 
 /// Whether functions are independent where what is assumed holds, by one inequality.

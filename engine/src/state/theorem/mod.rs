@@ -15,7 +15,7 @@ use basis_prover::{
     Coordinate, Counterexample, Failure, Shown, Symmetries, decide as decide_statement, typical,
 };
 
-use super::family::{on_part, premises_counterexample};
+use super::family::{on_part, premises};
 use super::inequality::{self, Said, compared};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict};
@@ -37,14 +37,16 @@ const NO_WITNESS: &str =
     "the two sides are different expressions, but no point was found at which they differ";
 
 /// What a claim says; `None` where the relations of the scalars make it too long.
-pub(super) fn statements(theorem: &Theorem, claim: &Claim) -> Option<Vec<Stated>> {
+pub(super) fn statements(theorem: &Theorem, claim: &Claim, ways: &[usize]) -> Option<Vec<Stated>> {
     if theorem.parts.is_empty() {
         return Some(own_statements(theorem, claim));
     }
     let parts = parts::parts(theorem, claim)?;
     let count = parts.len();
+    let mut ways = ways.iter();
+    let mut away = |statement: &Statement| premises::by_next(statement, &mut ways);
     let of_part = |(k, part): (usize, Part)| {
-        let stated = parts::enough(own_statements(&part.theorem, &part.claim));
+        let stated = parts::enough(own_statements(&part.theorem, &part.claim), &mut away);
         stated.into_iter().map(move |s| Stated { of: on_part(&s.of, k, count), ..s }).listed()
     };
     Some(parts.into_iter().enumerate().flat_map(of_part).listed())
@@ -195,10 +197,11 @@ pub(super) fn decide(theorem: &Theorem, claim: &Claim) -> Verdict {
         return Verdict::Undecided(String::from("the relations of the scalars make the claim too long"));
     };
     let count = parts.len();
-    let (mut methods, mut all, mut open) = (Vec::new(), Vec::new(), None);
+    let (mut methods, mut all, mut ways, mut open) = (Vec::new(), Vec::new(), Vec::new(), None);
     for (k, part) in parts.iter().enumerate() {
         match own_verdict(&part.theorem, &part.claim, factor.as_deref()) {
             Verdict::Proved(evidence) => {
+                ways.extend_from_slice(evidence.ways());
                 let (method, steps) = evidence.into_parts();
                 all.extend(steps.into_iter().map(|(of, proof)| (on_part(&of, k, count), proof)));
                 methods.push(method);
@@ -212,7 +215,7 @@ pub(super) fn decide(theorem: &Theorem, claim: &Claim) -> Verdict {
     }
     match open {
         Some(left) => Verdict::Undecided(left),
-        None => Verdict::Proved(Evidence::new(methods.pop().unwrap_or_default(), all)),
+        None => Verdict::Proved(Evidence::new(methods.pop().unwrap_or_default(), all).by(ways)),
     }
 }
 
@@ -223,11 +226,22 @@ fn own_verdict(theorem: &Theorem, claim: &Claim, factor: Option<&str>) -> Verdic
     }
     let stated = own_statements(theorem, claim);
     let assumed = stated.iter().any(parts::has_premises);
-    match all(parts::enough(stated.clone()), theorem.budget) {
-        Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
+    let proved = |shown: Vec<(String, Shown)>| Evidence::new(method(&claim.kind, &shown), steps(shown));
+    match all(parts::enough(stated.clone(), &mut premises::without), theorem.budget) {
+        Ok(shown) => Verdict::Proved(proved(shown)),
         Err((of, decision)) => match &claim.kind {
             ClaimKind::Scalar { comparison, .. } if assumed && *comparison != Comparison::Equal => {
-                under_premises(theorem, claim, &stated)
+                match under_premises(theorem, claim, &stated) {
+                    Verdict::Undecided(left) => {
+                        let mut ways = Vec::new();
+                        let later = parts::enough(stated, &mut |s| premises::tried(s, &mut ways));
+                        // Without another way these are the same statements.
+                        let shown = if ways.is_empty() { None } else { all(later, theorem.budget).ok() };
+                        shown
+                            .map_or(Verdict::Undecided(left), |shown| Verdict::Proved(proved(shown).by(ways)))
+                    }
+                    refuted => refuted,
+                }
             }
             ClaimKind::Scalar { comparison, difference } if *comparison != Comparison::Equal => {
                 inequality(theorem, claim, difference, of, decision)
@@ -253,7 +267,7 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
 
 /// A counterexample to an equation, also among points at which premises hold.
 fn refuted(statement: Statement, budget: u32) -> Option<Counterexample> {
-    let found = basis_prover::working(budget, &mut |work| premises_counterexample(&statement, work));
+    let found = basis_prover::working(budget, &mut |work| premises::counterexample(&statement, work));
     if found.is_some() {
         return found;
     }
@@ -290,7 +304,7 @@ fn under_premises(theorem: &Theorem, claim: &Claim, stated: &[Stated]) -> Verdic
     let refuted = |stated: &[Stated], net: Option<&Net>| {
         stated.iter().find_map(|s| {
             let found = basis_prover::working(theorem.budget, &mut |work| {
-                premises_counterexample(&s.statement, work)
+                premises::counterexample(&s.statement, work)
             })?;
             let witness = witness(theorem, s.of.clone(), net, &found, inequality::is_negated(*comparison));
             Some(explained(theorem, claim, witness, "the value is"))

@@ -20,6 +20,7 @@ use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, Comparison, Side};
+use crate::state::family::premises;
 use crate::state::inequality::compared;
 use crate::state::proofs::steps;
 use crate::state::verdict::{Evidence, Stated, Verdict, Witness};
@@ -210,7 +211,7 @@ pub(super) fn statements(theorem: &Theorem, left: &Side, right: &Side) -> Vec<St
         let as_products = products::statement(theorem, &polynomial, relation);
         all.push(Stated::new(of, as_products.unwrap_or_else(|| sign(&polynomial, relation, &domain))));
     }
-    super::parts::enough(all)
+    super::parts::enough(all, &mut premises::without)
 }
 
 /// What is said of the points of a net: all minors of the two vectors are zero, and wherever one of them is not zero,

@@ -6,7 +6,6 @@ use basis_prover::collections::list::Listed;
 use crate::algebra::fraction::Fraction;
 use crate::claim::{Claim, ClaimKind, Difference, Side};
 use crate::model::chart::Piece;
-use crate::state::family::without_premises;
 use crate::state::verdict::Stated;
 use crate::theorem::{Form, Theorem};
 
@@ -72,9 +71,12 @@ pub(super) fn settled(theorem: &Theorem, kind: &ClaimKind) -> ClaimKind {
     mapped(kind, &|f| Some(put(f))).unwrap_or_else(|| kind.clone())
 }
 
-/// A statement by what is enough for it without premises, where that is found.
-pub(super) fn enough(stated: Vec<Stated>) -> Vec<Stated> {
-    let one = |stated: Stated| match without_premises(&stated.statement) {
+/// Statements by what is enough for them without premises, where that is found by the way `away` from these.
+pub(super) fn enough(
+    stated: Vec<Stated>,
+    away: &mut dyn FnMut(&Statement) -> Option<Vec<Statement>>,
+) -> Vec<Stated> {
+    let one = |stated: Stated| match away(&stated.statement) {
         Some(all) => all.into_iter().map(|s| Stated::new(stated.of.clone(), s)).listed(),
         None => vec![stated],
     };

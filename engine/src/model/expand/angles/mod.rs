@@ -344,6 +344,7 @@ fn plain(
                 format!("an end of the range of `{}` is not a number", decl.name.text),
             );
             scope.report(error.help("ends with `pi`, and ends that are shape parameters, belong to domain variables, and to shape parameters that stand in `sin`, `cos`, `exp` and the like"));
+            scope.undeclared.borrow_mut().push(decl.name.text.clone());
             return None;
         }
     }

@@ -43,6 +43,10 @@ pub(super) fn linear(
     let ranges = known.iter().map(|p| (p.var, p.range.clone())).chain(of_angles).chain(ranges(scope));
     let region = Region { ranges: ranges.listed() };
     if let Err(text) = scope.is_positive(&width, &region, constraints) {
+        let mut at_ends = low.value.parts.iter().chain(&high.value.parts);
+        if at_ends.any(|(var, ..)| scope.is_mistaken(scope.names[var.0].trim_end())) {
+            return None; // its range is not known
+        }
         let message = format!("the ends of the domain of `{name}` are not in order");
         let error = scope.error(decl.name.span, message).label(text);
         scope.report(

@@ -70,7 +70,7 @@ fn by_a_way<'f>(
             **count += 1;
             by(*way, sample)
         }
-        Saying::Found(found) => {
+        Saying::Found(found) | Saying::Tried(found) => {
             let first = |ways: &[usize], sample: &mut Option<Sample<'f>>| {
                 ways.iter().find_map(|way| {
                     let way = *way;

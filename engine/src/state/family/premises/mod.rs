@@ -5,16 +5,18 @@
 //!
 //! Where g is a polynomial in one variable, f = q·g + r by division, and q ≥ 0 and r ≥ 0 are enough.
 //!
-//! Where x > 0, f has the sign of x·f.
+//! Where x > 0, f has the sign of x·f. Where x ≥ 0, f ≥ 0 if x·f ≥ 0, and f ≥ 0 for x = 0.
 //!
 //! Where f has at most one degree more than g: f = P + N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then. The product m may
 //! be P² there.
 //!
-//! The premise is then no longer needed: f − c·m·g ≥ 0 is said of the whole box. The number c has to satisfy
-//! c·m·g ≤ f at all points; what some points say of it leaves an interval, from which it is chosen. That it is right is for
-//! the kernel to see.
+//! The premise is then no longer needed: f − c·m·g ≥ 0 is said of the whole box.
+//!
+//! There are many such ways, each of which leads to statements that are enough. The first one is the one that proves most
+//! claims; where it does not, [`tried`] finds another one, of which the number is part of the evidence.
 
 mod ends;
+mod multiple;
 mod narrower;
 mod points;
 mod positive;
@@ -24,33 +26,83 @@ mod touching;
 use basis_kernel::{Domain, Quotient, Relation, Statement};
 use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort;
+use basis_prover::within;
 use std::rc::Rc;
 
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-use crate::algebra::real::simplest::simplest_within;
 pub(super) use points::inside;
-use points::{directions, fits, ranges, sample, values};
+use points::{ranges, sample, values};
 pub(super) use positive::Positive;
 pub(in crate::state) use search::counterexample;
-
-/// How often the steps towards a narrower interval for a number are halved.
-const NEARER: usize = 6;
-
-/// From how many points with the same value steps are made.
-const STARTS: usize = 6;
-
-/// How often steps of one length are made.
-const REPEATED: usize = 4;
 
 /// Sums of more terms are not squared.
 const MAX_SQUARED: usize = 12;
 
-/// What is enough for a statement about a sign to hold where its premises do; `None` if it does not need them, or seems to be
-/// false, or no multiple of a premise is found to help.
+/// Ways after the first one that are tried, at most.
+const MAX_TRIED: usize = 12;
+
+/// The work for one of them.
+const TRIED: u64 = 4_000_000;
+
+/// The numbers of ways are these and larger ones; the first way of all needs none.
+const AWAY: usize = 100;
+
+/// Takes statements that are enough, and says whether they will do.
+type Accept<'a> = dyn FnMut(Vec<Statement>) -> bool + 'a;
+
+/// What is enough for a statement about a sign to hold where its premises do, by the first way; `None` if it does not need
+/// them, or seems to be false, or no multiple of a premise is found to help.
 pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>> {
+    first(&mut |accept| {
+        ways(statement, &mut |_, enough| accept(enough));
+        true
+    })
+}
+
+/// The same by the way that is the next one of some, if that is one of ours.
+pub(in crate::state) fn by_next(
+    statement: &Statement,
+    given: &mut core::slice::Iter<'_, usize>,
+) -> Option<Vec<Statement>> {
+    let Some(way) = given.as_slice().first().and_then(|number| number.checked_sub(AWAY)) else {
+        return without(statement);
+    };
+    given.next();
+    let mut found = None;
+    ways(statement, &mut |number, enough| {
+        let is_it = number == way;
+        if is_it {
+            found = Some(enough);
+        }
+        is_it
+    });
+    found
+}
+
+/// The same by the first way that leads to a proof, of which the number is noted if it is not the first way of all.
+pub(in crate::state) fn tried(statement: &Statement, noted: &mut Vec<usize>) -> Option<Vec<Statement>> {
+    let is_proved = |s: &Statement| basis_prover::decide(s.clone(), &Vec::new(), 1).is_ok();
+    let (mut first, mut found) = (None, None);
+    ways(statement, &mut |number, enough| {
+        if within(TRIED, &mut || enough.iter().all(is_proved)) {
+            found = Some((number, enough));
+            return true;
+        }
+        first.get_or_insert(enough);
+        number == MAX_TRIED
+    });
+    let Some((number, enough)) = found else { return first };
+    if number > 0 {
+        noted.push(AWAY + number);
+    }
+    Some(enough)
+}
+
+/// Statements that are enough, by one way after the other, each with its number, until one will do.
+fn ways(statement: &Statement, accept: &mut dyn FnMut(usize, Vec<Statement>) -> bool) -> Option<()> {
     let Statement::Sign { value, relation, domain } = statement else { return None };
     if domain.premises.is_empty() {
         return None;
@@ -61,7 +113,22 @@ pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>>
     if !seen.fails(sign.relation) && sign.value == *value {
         return None;
     }
-    sign.enough(&seen, domain.premises.len() + 1)
+    let mut next = 0;
+    sign.enough(&seen, domain.premises.len() + 1, &mut |enough| {
+        next += 1;
+        accept(next - 1, enough)
+    });
+    Some(())
+}
+
+/// The first statements of some.
+fn first(all: &mut dyn FnMut(&mut Accept<'_>) -> bool) -> Option<Vec<Statement>> {
+    let mut found = None;
+    all(&mut |enough| {
+        found = Some(enough);
+        true
+    });
+    found
 }
 
 /// That a quotient has a sign where premises hold.
@@ -97,26 +164,24 @@ impl Sign<'_> {
         Statement::Sign { value, relation, domain: without_premises(self.domain) }
     }
 
-    /// Statements about the whole box from which it follows.
-    fn enough(&self, seen: &Seen, depth: usize) -> Option<Vec<Statement>> {
-        if !seen.fails(self.relation) {
-            return Some(vec![self.plain()]);
+    /// Statements about the whole box from which it follows, by one way after the other, until one will do.
+    fn enough(&self, seen: &Seen, depth: usize, accept: &mut Accept<'_>) -> bool {
+        if !seen.fails(self.relation) && accept(vec![self.plain()]) {
+            return true;
         }
-        let divided = |exactly| self.divided(depth, exactly);
-        divided(true)
-            .or_else(|| self.at_irrational_ends())
-            .or_else(|| divided(false))
-            // A factor alone, of which from a few points little can be seen where a range has no end.
-            .or_else(|| {
-                let alone = self.value.numerator.len() == 1 && self.is_unbounded();
-                alone.then(|| self.multiplied())?
-            })
-            .or_else(|| self.by_factors())
-            .or_else(|| self.by_number(seen))
-            .or_else(|| self.squared())
-            .or_else(|| self.multiplied())
-            .or_else(|| self.narrowed())
-            .or_else(|| self.bounded(depth))
+        let mut found = |way: Option<Vec<Statement>>| way.is_some_and(&mut *accept);
+        // A factor alone, of which from a few points little can be seen where a range has no end.
+        let alone = self.value.numerator.len() == 1 && self.is_unbounded();
+        self.divided(depth, true, &mut |all| found(Some(all)))
+            || found(self.at_irrational_ends())
+            || self.divided(depth, false, &mut |all| found(Some(all)))
+            || alone && self.multiplied(depth, &mut |all| found(Some(all)))
+            || found(self.by_factors())
+            || self.by_number(seen, None, &mut |all| found(Some(all)))
+            || self.squared(&mut |all| found(Some(all)))
+            || found(self.narrowed())
+            || self.bounded(depth, &mut |all| found(Some(all)))
+            || self.multiplied(depth, &mut |all| found(Some(all)))
     }
 
     /// The factors g(x·v) of a polynomial and the rest, g(x) a premise and v a variable, as of cos(t) = g(tan(t/4))·h
@@ -170,17 +235,21 @@ impl Sign<'_> {
             let value = Quotient::from(if own < 0 { -&factor } else { factor });
             let part = Sign { value, relation: self.relation, domain: self.domain };
             let seen = Seen::new(&part.value, self.domain)?;
-            all.extend(if seen.fails(part.relation) { part.by_number(&seen)? } else { vec![part.plain()] });
+            all.extend(if seen.fails(part.relation) {
+                part.by_first_number(&seen)?
+            } else {
+                vec![part.plain()]
+            });
         }
         (sign > 0).then_some(all)
     }
 
     /// For P + N, where P ≥ 0: that P² − N² has the sign.
-    fn squared(&self) -> Option<Vec<Statement>> {
+    fn squared(&self, accept: &mut Accept<'_>) -> bool {
         let Quotient { numerator, denominator } = &self.value;
-        let degree = self.domain.premises.iter().map(|(g, _)| g.total_degree()).max()?;
+        let degree = self.domain.premises.iter().map(|(g, _)| g.total_degree()).max().unwrap_or(0);
         if !denominator.is_one() || numerator.total_degree() > degree + 1 || numerator.len() > MAX_SQUARED {
-            return None;
+            return false;
         }
         // Terms that are ≥ 0, or those with positive coefficients.
         let positive = |_: &Monomial, c: &Rational| c.is_positive();
@@ -188,7 +257,7 @@ impl Sign<'_> {
         let nonnegative = |m: &Monomial, c: &Rational| {
             c.is_positive() && others.iter().all(|v| m.exponent(*v).is_multiple_of(2))
         };
-        self.squared_from(&nonnegative).or_else(|| self.squared_from(&positive))
+        self.squared_from(&nonnegative, accept) || self.squared_from(&positive, accept)
     }
 
     /// Whether a variable of the premises has a range without an end.
@@ -198,23 +267,49 @@ impl Sign<'_> {
         open.any(|(v, _)| self.domain.premises.iter().any(|(g, _)| g.depends_on(*v)))
     }
 
-    /// That a variable is positive where the premises hold, and its product with the quotient has the sign.
-    fn multiplied(&self) -> Option<Vec<Statement>> {
+    /// That a variable is positive where the premises hold, or the sign for the value 0 of it; and its product with the
+    /// quotient has the sign.
+    fn multiplied(&self, depth: usize, accept: &mut Accept<'_>) -> bool {
         let premises = self.domain.premises.iter();
         let mut variables = premises.flat_map(|(g, _)| g.variables()).listed();
         sort(&mut variables);
         variables.dedup();
         let [nonnegative, _] = signed(variables, self.domain);
-        nonnegative.into_iter().find_map(|v| {
+        nonnegative.into_iter().any(|v| {
             let x = Poly::var(v);
-            let positive = self.positive(v)?;
-            if self.relation == Relation::Positive && self.value == Quotient::from(x.clone()) {
-                return Some(positive);
-            }
             let numerator = &self.value.numerator * &x;
-            let value = Quotient { numerator, ..self.value.clone() };
-            Some([positive, Sign { value, ..*self }.by_any_number()?].concat())
+            let product = Sign { value: Quotient { numerator, ..self.value.clone() }, ..*self };
+            if let Some(positive) = self.positive(v) {
+                if self.relation == Relation::Positive && self.value == Quotient::from(x) {
+                    return accept(positive);
+                }
+                return product.by_any_number(&mut |rest| accept([&positive[..], &rest].concat()));
+            }
+            self.relation == Relation::NonNegative
+                && self.at_zero(v, depth, &mut |at_zero| {
+                    product.by_any_number(&mut |rest| accept([&at_zero[..], &rest].concat()))
+                })
         })
+    }
+
+    /// The sign where a variable is 0.
+    fn at_zero(&self, v: Var, depth: usize, accept: &mut Accept<'_>) -> bool {
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        let zero = Rational::ZERO;
+        let mut domain = self.domain.clone();
+        let ranges = domain.region.ranges.iter_mut();
+        let Some((_, range)) = ranges.into_iter().find(|(own, _)| *own == v) else { return false };
+        *range = Range::closed(zero.clone(), zero.clone());
+        for (g, _) in &mut domain.premises {
+            *g = g.at(v, &zero);
+        }
+        let [numerator, denominator] =
+            [&self.value.numerator, &self.value.denominator].map(|p| p.at(v, &zero));
+        if denominator.is_zero() {
+            return false;
+        }
+        let sign = Sign { value: Quotient { numerator, denominator }, domain: &domain, ..*self };
+        Seen::new(&sign.value, &domain).is_some_and(|seen| sign.enough(&seen, depth, accept))
     }
 
     /// That a variable which is ≥ 0 is positive: a premise fails where it is 0, or a multiple of one shows it.
@@ -229,50 +324,51 @@ impl Sign<'_> {
             };
             is_negative.then(|| vec![sign.plain()])
         });
-        negative_at_zero.or_else(|| sign(Poly::var(v)).by_any_number())
+        negative_at_zero.or_else(|| first(&mut |accept| sign(Poly::var(v)).by_any_number(accept)))
     }
 
     /// By the box alone, or with a number times a premise taken away.
-    fn by_any_number(&self) -> Option<Vec<Statement>> {
-        let seen = Seen::new(&self.value, self.domain)?;
+    fn by_any_number(&self, accept: &mut Accept<'_>) -> bool {
+        let Some(seen) = Seen::new(&self.value, self.domain) else { return false };
         if seen.fails(self.relation) {
-            self.by_number_times(&seen, Some(&Poly::one()))
+            self.by_number(&seen, Some(&Poly::one()), accept)
         } else {
-            Some(vec![self.plain()])
+            accept(vec![self.plain()])
         }
     }
 
     /// The same where P consists of some terms.
-    fn squared_from(&self, is_above: &dyn Fn(&Monomial, &Rational) -> bool) -> Option<Vec<Statement>> {
+    fn squared_from(&self, is_above: &dyn Fn(&Monomial, &Rational) -> bool, accept: &mut Accept<'_>) -> bool {
         let part = |wanted: bool| {
             let own = self.value.numerator.terms().filter(|(m, c)| is_above(m, c) == wanted);
             Poly::from_terms(own.map(|(m, c)| (m.clone(), c.clone())))
         };
         let (above, below) = (part(true), part(false));
         if above.is_zero() || below.is_zero() {
-            return None;
+            return false;
         }
         let square = above.pow(2);
         let value = Quotient::from(&square - &below.pow(2));
         let sign = Sign { value, relation: self.relation, domain: self.domain };
-        let seen = Seen::new(&sign.value, self.domain)?;
+        let Some(seen) = Seen::new(&sign.value, self.domain) else { return false };
         let domain = without_premises(self.domain);
-        let first = Statement::Sign { value: above.into(), relation: Relation::NonNegative, domain };
-        let rest = if seen.fails(sign.relation) {
-            sign.by_number_times(&seen, Some(&square))?
+        let at_least = Statement::Sign { value: above.into(), relation: Relation::NonNegative, domain };
+        let mut with_it = |rest: Vec<Statement>| accept([vec![at_least.clone()], rest].concat());
+        if seen.fails(sign.relation) {
+            sign.by_number(&seen, Some(&square), &mut with_it)
         } else {
-            vec![sign.plain()]
-        };
-        Some([vec![first], rest].concat())
+            with_it(vec![sign.plain()])
+        }
     }
 
     /// For a quotient of q·g + r, where g is a premise: that q and r have the sign. `exactly` where r is 0.
-    fn divided(&self, depth: usize, exactly: bool) -> Option<Vec<Statement>> {
-        let depth = depth.checked_sub(1)?;
-        let part = |numerator: Poly, relation: Relation| {
-            let value = Quotient { numerator, denominator: self.value.denominator.clone() };
+    fn divided(&self, depth: usize, exactly: bool, accept: &mut Accept<'_>) -> bool {
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        let part = |numerator: &Poly, relation: Relation, accept: &mut Accept<'_>| {
+            let value =
+                Quotient { numerator: numerator.clone(), denominator: self.value.denominator.clone() };
             let sign = Sign { value, relation, domain: self.domain };
-            let seen = Seen::new(&sign.value, self.domain)?;
+            let Some(seen) = Seen::new(&sign.value, self.domain) else { return false };
             let mut fails = seen
                 .points
                 .iter()
@@ -280,209 +376,25 @@ impl Sign<'_> {
                 .filter(|(_, value)| value.as_ref().is_some_and(Rational::is_negative));
             if fails.any(|(point, _)| self.domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point))))
             {
-                return None;
+                return false;
             }
-            sign.enough(&seen, depth)
+            sign.enough(&seen, depth, accept)
         };
-        self.domain.premises.iter().find_map(|(g, premise)| {
-            let (q, r) = divided(&self.value.numerator, g)?;
+        self.domain.premises.iter().any(|(g, premise)| {
+            let Some((q, r)) = divided(&self.value.numerator, g) else { return false };
             if r.is_zero() != exactly || q.is_zero() {
-                return None;
+                return false;
             }
             // Strict is what has one strict summand.
             if r.is_zero() {
                 let strict = self.relation == Relation::Positive;
-                if strict && *premise != Relation::Positive {
-                    return None;
-                }
-                return part(q, self.relation);
+                return !(strict && *premise != Relation::Positive) && part(&q, self.relation, accept);
             }
-            Some([part(q, Relation::NonNegative)?, part(r, self.relation)?].concat())
+            part(&q, Relation::NonNegative, &mut |of_q| {
+                part(&r, self.relation, &mut |of_r| accept([&of_q[..], &of_r].concat()))
+            })
         })
     }
-
-    /// With a number times a premise taken away, and times something that is ≥ 0.
-    fn by_number(&self, seen: &Seen) -> Option<Vec<Statement>> {
-        self.by_number_times(seen, None)
-    }
-
-    /// The same, also times a square.
-    fn by_number_times(&self, seen: &Seen, square: Option<&Poly>) -> Option<Vec<Statement>> {
-        let Self { value, relation, domain } = self;
-        let Seen { points, .. } = seen;
-        let one = Poly::one();
-        let below = &value.denominator;
-        let is_positive = |p: &Poly| {
-            let values = values(p, &one, points);
-            !p.is_one() && values.is_some_and(|all| all.iter().flatten().all(Rational::is_positive))
-        };
-        for (g, premise) in domain.premises.iter().filter(|(g, _)| !g.is_zero()) {
-            // What vanishes with a power that all terms share is positive only by the premise itself.
-            let alone = (*relation == Relation::Positive).then(Poly::one);
-            let all = factors(&value.numerator, g, domain);
-            let alone = alone.filter(|one| !all.contains(one));
-            for factor in alone.into_iter().chain(all).chain(square.cloned()) {
-                let product = &factor * g;
-                // Over the denominator of the value, too, or over the part of it in the variables of the premise.
-                let part = of_variables(below, g).filter(|part| part != below);
-                let over = [Some(below.clone()), part].into_iter().flatten().filter(|p| is_positive(p));
-                for over in [one.clone()].into_iter().chain(over) {
-                    let quotient = Quotient { numerator: product.clone(), denominator: over.clone() };
-                    let Some(c) = self.multiple(seen, &quotient) else { continue };
-                    let numerator = &value.numerator - &(&product.scale(&c) * &below.div_exact(&over)?);
-                    // From a strict premise follows a strict inequality.
-                    let strict =
-                        *relation == Relation::Positive && *premise == Relation::Positive && factor.is_one();
-                    let relation = if strict { Relation::NonNegative } else { *relation };
-                    let domain = without_premises(domain);
-                    let sign = |value: Quotient, relation| Statement::Sign {
-                        value,
-                        relation,
-                        domain: Rc::clone(&domain),
-                    };
-                    let rest = sign(Quotient { numerator, denominator: below.clone() }, relation);
-                    let denominator = (!over.is_one()).then(|| sign(over.into(), Relation::Positive));
-                    return Some([rest].into_iter().chain(denominator).listed());
-                }
-            }
-        }
-        None
-    }
-}
-
-impl Sign<'_> {
-    /// A number c > 0 with c·g ≤ f at all points, in the middle of those that do.
-    fn multiple(&self, seen: &Seen, g: &Quotient) -> Option<Rational> {
-        let g_values = values(&g.numerator, &g.denominator, &seen.points)?;
-        // The largest lower and the least upper bound, with the points that say so.
-        let mut bounds: [Option<(Rational, Vec<usize>)>; 2] = [None, None];
-        for (k, pair) in seen.values.iter().zip(&g_values).enumerate() {
-            let (Some(f), Some(g)) = pair else { continue };
-            let sign = g.signum();
-            if sign == 0 {
-                if f.is_negative() {
-                    return None;
-                }
-                continue;
-            }
-            let own = f.checked_div(g)?;
-            let bound = &mut bounds[usize::from(sign > 0)];
-            match bound {
-                Some((known, points)) if *known == own => points.push(k),
-                Some((known, _)) if (own > *known) == (sign > 0) => {}
-                _ => *bound = Some((own, vec![k])),
-            }
-        }
-        let [low, high] = bounds;
-        let Some((high, highest)) = high else {
-            return Some(&low.map_or(Rational::ZERO, |(low, _)| low).max(Rational::ZERO) + &Rational::ONE);
-        };
-        let (low, lowest) = low.unwrap_or((Rational::ZERO, Vec::new()));
-        if low > high {
-            return None;
-        }
-        // Where f and g vanish together there is a single such number, and nearby points leave little room around it.
-        let nearer = |all: &[usize], bound: Rational, sign: i32| {
-            // Of many points with one value some in all parts of the domain, first and last one included.
-            let last = all.len().saturating_sub(1);
-            let starts = (0..STARTS.min(all.len())).map(|k| all[k * last / (STARTS - 1).min(last).max(1)]);
-            let found = starts.map(|k| self.nearer(g, &seen.points[k], bound.clone(), sign));
-            if sign > 0 { found.min() } else { found.max() }.unwrap_or(bound)
-        };
-        let high = nearer(&highest, high, 1);
-        let low = nearer(&lowest, low, -1).max(Rational::ZERO);
-        if low > high {
-            return None;
-        }
-        // Away from both ends, if there is room; where there is little it may be an end.
-        let width = &high - &low;
-        let little = width < &high * &Rational::new(1, 50);
-        let aside = if little { Rational::ZERO } else { &width * &Rational::new(1, 4) };
-        let c = simplest_within(&(&low + &aside), &(&high - &aside));
-        c.is_positive().then_some(c)
-    }
-
-    /// The quotient f/g where g has a sign, made smaller where it is positive and larger where it is negative, step by step
-    /// from a point.
-    fn nearer(&self, g: &Quotient, from: &[Rational], value: Rational, sign: i32) -> Rational {
-        let ranges = ranges(self.domain);
-        let depends = |q: &Quotient, v: Var| q.numerator.depends_on(v) || q.denominator.depends_on(v);
-        let moving: Vec<&(Var, Range)> =
-            ranges.iter().filter(|(v, _)| depends(&self.value, *v) || depends(g, *v)).collect();
-        let at = |point: &[Rational]| {
-            let value = |q: &Quotient| q.numerator.eval(point).checked_div(&q.denominator.eval(point));
-            basis_prover::charged(&mut || {
-                let below = value(g).filter(|g| g.signum() == sign)?;
-                value(&self.value)?.checked_div(&below)
-            })?
-        };
-        let short =
-            |d: &Vec<i64>| d.iter().all(|k| k.abs() <= 1) && d.iter().filter(|k| **k != 0).count() <= 2;
-        let directions: Vec<Vec<i64>> = directions(moving.len()).into_iter().filter(short).collect();
-        let (mut point, mut best) = (from.to_vec(), value);
-        let mut step = Rational::new(1, 16);
-        for _ in 0..NEARER {
-            for _ in 0..REPEATED {
-                let mut moved = false;
-                for direction in &directions {
-                    let mut next = point.clone();
-                    for ((var, range), steps) in moving.iter().zip(direction) {
-                        let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
-                        next[var.0] += &(&(&step * &width) * &Rational::from(*steps));
-                    }
-                    let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
-                    if !inside || !fits(self.domain, &next) {
-                        continue;
-                    }
-                    if let Some(own) = at(&next)
-                        && (if sign > 0 { own < best } else { own > best })
-                    {
-                        (point, best, moved) = (next, own, true);
-                    }
-                }
-                if !moved {
-                    break;
-                }
-            }
-            step = &step * &Rational::new(1, 2);
-        }
-        best
-    }
-}
-
-/// The factor of a product that has the variables of a premise, if the others do not occur in it.
-fn of_variables(product: &Poly, premise: &Poly) -> Option<Poly> {
-    let others = product.variables().into_iter().filter(|v| !premise.depends_on(*v));
-    let part = others.fold(product.clone(), |p, v| p.at(v, &Rational::ZERO));
-    product.div_exact(&part).map(|_| part)
-}
-
-/// What a premise is multiplied by: the powers that a numerator has in all its terms, alone, and times the distances from
-/// the ends of the ranges of other variables, and times their squares; where its degree is lower than that of the numerator
-/// also variables that are ≥ 0, their sum, and squares.
-fn factors(numerator: &Poly, premise: &Poly, domain: &Domain) -> Vec<Poly> {
-    let own = common(numerator, domain);
-    let mut all = vec![own.clone()];
-    let others = ranges(domain);
-    let others = others.iter().filter(|(v, _)| numerator.depends_on(*v) && !premise.depends_on(*v));
-    for (var, range) in others {
-        let x = Poly::var(*var);
-        let low = range.low.value().map(|end| &x - &Poly::constant(end.clone()));
-        let high = range.high.value().map(|end| &Poly::constant(end.clone()) - &x);
-        for distance in [low, high].into_iter().flatten() {
-            all.push(&own * &distance);
-            all.push(&own * &distance.pow(2));
-        }
-    }
-    if own.is_one() && numerator.total_degree() > premise.total_degree() {
-        let [positive, others] = signed(premise.variables(), domain);
-        all.extend(positive.iter().map(|v| Poly::var(*v)));
-        if positive.len() > 1 {
-            all.push(positive.iter().fold(Poly::zero(), |sum, v| &sum + &Poly::var(*v)));
-        }
-        all.extend(others.iter().map(|v| Poly::var(*v).pow(2)));
-    }
-    all
 }
 
 /// Whether a range has no negative numbers.
@@ -516,17 +428,6 @@ fn divided(f: &Poly, g: &Poly) -> Option<(Poly, Poly)> {
         q = &q + &term;
     }
     Some((q, r))
-}
-
-/// The powers that all terms of a polynomial share of variables that are ≥ 0, and the even ones of others.
-fn common(p: &Poly, domain: &Domain) -> Poly {
-    let mut factor = Poly::one();
-    for (var, range) in &ranges(domain) {
-        let power = p.terms().map(|(m, _)| m.exponent(*var)).min().unwrap_or(0);
-        let power = if is_nonnegative(range) { power } else { power - power % 2 };
-        factor = &factor * &Poly::var(*var).pow(u32::from(power));
-    }
-    factor
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 use basis_kernel::{Domain, Quotient, Relation, Statement};
 use std::rc::Rc;
 
-use super::{Seen, Sign};
+use super::{Accept, Seen, Sign};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
@@ -65,8 +65,8 @@ impl Sign<'_> {
     }
 
     /// The same with an end for a range that has none, as 0 ≤ x has where x² + y² ≤ 9; what is assumed stays.
-    pub(super) fn bounded(&self, depth: usize) -> Option<Vec<Statement>> {
-        let depth = depth.checked_sub(1)?;
+    pub(super) fn bounded(&self, depth: usize, accept: &mut Accept<'_>) -> bool {
+        let Some(depth) = depth.checked_sub(1) else { return false };
         let mut region = self.domain.region.clone();
         let mut all = Vec::new();
         for k in 0..region.ranges.len() {
@@ -95,13 +95,12 @@ impl Sign<'_> {
             }
         }
         if all.is_empty() {
-            return None;
+            return false;
         }
         let domain = Rc::new(Domain { region, ..self.domain.clone() });
         let rest = Sign { value: self.value.clone(), relation: self.relation, domain: &domain };
-        let seen = Seen::new(&rest.value, &domain)?;
-        all.extend(rest.enough(&seen, depth)?);
-        Some(all)
+        let Some(seen) = Seen::new(&rest.value, &domain) else { return false };
+        rest.enough(&seen, depth, &mut |rest| accept([&all[..], &rest].concat()))
     }
 }
 

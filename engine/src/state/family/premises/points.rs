@@ -150,7 +150,13 @@ fn coordinates(range: &Range, parts: i64) -> Vec<Rational> {
                 (_, Some(high)) => (high.clone(), -1),
                 _ => (Rational::ZERO, 0),
             };
-            let step = |k: i64| Rational::new(k, if parts > 8 { 4 } else { 1 });
+            let equal = |k: i64| Rational::new(k, if parts > 8 { 4 } else { 1 });
+            // The first of many steps away from an end is a short one.
+            let step = |k: i64| match k {
+                1 if sign != 0 && parts >= 4 => Rational::new(1, 8),
+                2.. if sign != 0 && parts >= 4 && k < parts => equal(k - 1),
+                _ => equal(k),
+            };
             let (from, to) = if sign == 0 { (-parts / 2, parts / 2) } else { (0, parts) };
             (from..=to).map(|k| if sign < 0 { &start - &step(k) } else { &start + &step(k) }).listed()
         }
