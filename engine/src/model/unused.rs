@@ -1,4 +1,4 @@
-//! What is written for nothing: shape and index parameters that nothing depends on, claims that are written twice.
+//! What is written for nothing: parameters, names and index variables that nothing depends on, claims that are written twice.
 
 use basis_prover::collections::sort::sort;
 use proc_macro2::Span;
@@ -7,6 +7,8 @@ use super::formula::print::Printer;
 use super::words::PI;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::plural::list;
+#[cfg(feature = "joins")]
+use crate::syntax::TheoremStatementKind;
 use crate::syntax::{
     self, Binding, ClaimKind, Condition, Expr, ExprKind, Factor, Generator, Loops, Relation, StatementKind,
 };
@@ -151,6 +153,15 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
             all.push(warning.warning().help("leave it out, or use it in a formula"));
         }
     }
+    for statement in &written.statements {
+        if let StatementKind::Let(def) = &statement.kind
+            && used.binary_search(&def.name.text.as_str()).is_err()
+        {
+            let message = format!("the name `{}` is never used", def.name.text);
+            all.push(Diagnostic::error(place(def.name.span), message).warning().help("leave it out"));
+        }
+        all.extend(idle_loop(written, statement, place));
+    }
     let mut claims: Vec<(String, usize)> = Vec::new();
     for (k, statement) in written.statements.iter().enumerate() {
         if let StatementKind::Claim(claim) = &statement.kind {
@@ -189,6 +200,82 @@ pub(super) fn never_made(
             "nothing is claimed: no order and no index fits what stands behind `for` or `if`",
         );
         warning.warning().help("widen it, or leave the claim out")
+    };
+    idle.map(warning).collect()
+}
+
+/// The warning about an index variable of a claim that does not occur in it, or that hides an index parameter.
+fn idle_loop(
+    written: &syntax::Family,
+    statement: &syntax::Statement,
+    place: &dyn Fn(Span) -> Place,
+) -> Option<Diagnostic> {
+    let mut used = Vec::new();
+    let (loops, is_claim) = match &statement.kind {
+        StatementKind::Claim(claim) => {
+            in_claim(&claim.kind, &mut used);
+            let own = match &claim.kind {
+                ClaimKind::Relation(relation) if !relation.loops.generators.is_empty() => &relation.loops,
+                _ => &claim.loops,
+            };
+            in_loops(own, &mut used);
+            (own, true)
+        }
+        StatementKind::Function(def) | StatementKind::Raise(def) => (&def.loops, false),
+        _ => return None,
+    };
+    loops.generators.iter().find_map(|generator| {
+        let Generator::Range(range) = generator else { return None };
+        let name = &range.name.text;
+        if is_claim && !used.contains(&name.as_str()) {
+            let message = format!("the index variable `{name}` does not occur in the claim");
+            let help = format!("write `b[{name}]` for each of the functions, or leave the loop out");
+            return Some(Diagnostic::error(place(range.name.span), message).warning().help(help));
+        }
+        written.orders.iter().any(|order| order.name.text == *name).then(|| {
+            let message = format!("the index variable hides the index parameter `{name}`");
+            Diagnostic::error(place(range.name.span), message).warning().help("choose another name")
+        })
+    })
+}
+
+/// The warnings about scalars of a theorem that nothing depends on.
+#[cfg(feature = "joins")]
+pub(super) fn of_theorem(written: &syntax::Theorem, place: &dyn Fn(Span) -> Place) -> Vec<Diagnostic> {
+    let mut used: Vec<&str> = Vec::new();
+    let mut scalars = Vec::new();
+    for statement in &written.statements {
+        match &statement.kind {
+            TheoremStatementKind::Scalar(bounds, loops) => {
+                in_loops(loops, &mut used);
+                for limit in bounds.low.iter().chain(&bounds.high) {
+                    names(&limit.value, &mut used);
+                }
+                if let ExprKind::Name(name) = &bounds.target.kind {
+                    scalars.push((name.as_str(), bounds.target.span));
+                }
+            }
+            TheoremStatementKind::Patch(_, _, value)
+            | TheoremStatementKind::Dimension(value)
+            | TheoremStatementKind::Budget(value) => names(value, &mut used),
+            TheoremStatementKind::Assume(relation) => in_relation(relation, &mut used),
+            TheoremStatementKind::Let(target, value, loops) => {
+                names(target, &mut used);
+                names(value, &mut used);
+                in_loops(loops, &mut used);
+            }
+            TheoremStatementKind::Claim(claim) => {
+                names(&claim.left, &mut used);
+                names(&claim.right, &mut used);
+                in_loops(&claim.loops, &mut used);
+            }
+        }
+    }
+    sort(&mut used);
+    let idle = scalars.into_iter().filter(|(name, _)| used.binary_search(name).is_err());
+    let warning = |(name, span): (&str, Span)| {
+        let message = format!("the scalar `{name}` is never used");
+        Diagnostic::error(place(span), message).warning().help("leave it out, or use it in a claim")
     };
     idle.map(warning).collect()
 }

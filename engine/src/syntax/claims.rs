@@ -188,7 +188,8 @@ fn order(input: ParseStream<'_>, word: proc_macro2::Span, name: &str) -> Result<
     syn::parenthesized!(content in input);
     let order = expr(&content)?;
     if !content.is_empty() {
-        return Err(unexpected(&content, "`)`"));
+        let help = "the order alone stands in the parentheses, `smooth(1)`: it is claimed of all functions";
+        return Err(error(content.span(), unexpected(&content, "`)`").to_string(), help));
     }
     Ok(order)
 }
@@ -230,12 +231,35 @@ fn exceptions(input: ParseStream<'_>, before: proc_macro2::Span) -> Result<Vec<V
     if input.peek(Token![;]) {
         return Err(error(before, "`except` without a value", "write `except λ = -3`"));
     }
+    if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis)
+        && input
+            .cursor()
+            .ident()
+            .is_none_or(|(_, after)| after.punct().is_none_or(|(p, _)| p.as_char() == ';'))
+        && !matches!(
+            input.cursor().ident().and_then(|(_, after)| after.token_tree()),
+            Some((TokenTree::Group(_), _))
+        )
+    {
+        let found = unexpected(input, "the name of a parameter with its value").to_string();
+        return Err(error(
+            input.span(),
+            found,
+            "write `except λ = -3`, of several parameters `except (α = 0, β = 1)`",
+        ));
+    }
     loop {
         let exception = match input.cursor().token_tree() {
             Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
                 let content;
                 syn::parenthesized!(content in input);
-                bindings(&content)?
+                let all = bindings(&content)?;
+                if !content.is_empty() {
+                    let found = unexpected(&content, "`,` or `)`").to_string();
+                    let help = "the values of one point are separated by commas: `except (α = -3, β = 0)`";
+                    return Err(error(content.span(), found, help));
+                }
+                all
             }
             _ => vec![binding(input)?],
         };

@@ -96,8 +96,11 @@ pub enum SyntaxPlace {
 }
 
 /// An error with advice.
+///
+/// A message with advice of its own, that of another error, loses it.
 pub(super) fn error(span: Span, message: impl AsRef<str>, help: impl AsRef<str>) -> syn::Error {
-    syn::Error::new(span, format!("{}{ADVICE}{}", message.as_ref(), help.as_ref()))
+    let message = message.as_ref().split(ADVICE).next().unwrap_or_default();
+    syn::Error::new(span, format!("{message}{ADVICE}{}", help.as_ref()))
 }
 
 /// What the message about a missing end of a statement begins with.

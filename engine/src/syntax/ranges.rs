@@ -6,6 +6,7 @@ use syn::{Error, Result};
 
 use super::error::error;
 use super::expr::{expr, loops};
+use super::statements::DECIMAL_POINT;
 use super::tokens::comparison;
 use super::words::{at_word, text_of};
 use super::{Bounds, Comparison, Expr, ExprKind, Limit, Name, RangeDecl, ShapeDecl};
@@ -27,6 +28,9 @@ pub(super) fn shapes(input: ParseStream<'_>) -> Result<ShapeDecl> {
     let (parts, included) = chain(input, help)?;
     if !parts.iter().any(|part| part.named().is_some()) {
         let part = parts.get(usize::from(parts.len() > 2)).unwrap_or(&parts[0]);
+        if let [Expr { kind: ExprKind::Number(_), .. }] = parts[..] {
+            return Err(no_target(part.span, &format!("{help}; {DECIMAL_POINT}")));
+        }
         return Err(no_target(part.span, help));
     }
     Ok(ShapeDecl { parts, included, loops: loops(input)? })
@@ -42,6 +46,9 @@ pub(super) fn bounds(input: ParseStream<'_>, help: &str) -> Result<Bounds> {
             let message = "a range has one variable";
             let help = "a triangle has barycentric coordinates, whose sum is 1: `domain triangle (u, v, w);`; parameters with a sum are `assume α + β <= 1;`";
             Err(error(e.span, message, help))
+        }
+        None if matches!(e.kind, ExprKind::Number(_)) => {
+            Err(no_target(e.span, &format!("{help}; {DECIMAL_POINT}")))
         }
         None => Err(no_target(e.span, help)),
     };
@@ -103,6 +110,11 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
             Some((low, high)) if !high.contains(',') => {
                 let [low, high] = [low, high].map(|end| end.trim().replace("- ", "-"));
                 format!("write `{low} {sign} {name} {sign} {high}`")
+            }
+            _ if ends.is_empty() && help == SHAPE_HELP => {
+                format!(
+                    "a range is `0 <= {name} <= 1`; whole numbers belong to an index parameter, `family F({name} in 1..=4)`"
+                )
             }
             _ => String::from(help),
         };

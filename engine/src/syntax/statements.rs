@@ -307,6 +307,7 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         Some(StatementKind::Claim(claim)) if has_loops(claim) && input.peek(Token![,]) => {
             "conditions stand behind the loops: `for i in 0..=n, j in 0..=n if i != j`"
         }
+        Some(StatementKind::Claim(_)) if input.peek(Token![,]) && begins_digits(input) => DECIMAL_POINT,
         Some(StatementKind::Claim(_)) if input.peek(Token![,]) => {
             "write a statement for each claim: a statement ends with `;`"
         }
@@ -337,13 +338,28 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         }
         Some(
             StatementKind::Function(FunctionDef { value, .. }) | StatementKind::Let(NameDef { value, .. }),
-        ) if input.peek(Token![,]) && ends_in_number(value) && begins_digits(input) => {
-            "a number has a decimal point: write `0.5`"
-        }
+        ) if input.peek(Token![,]) && ends_in_number(value) && begins_digits(input) => DECIMAL_POINT,
         Some(StatementKind::Function(_)) if input.peek(Token![,]) => {
             "the formulas on neighbouring spans are separated by a bar, `b[0] = t | 2 - t;`, statements by `;`"
         }
         _ if input.peek(Token![!]) => "write `factorial(n)`",
+        _ if input.peek(Token![,]) && begins_digits(input) => DECIMAL_POINT,
+        Some(StatementKind::Shape(_)) if input.peek(Token![:]) => {
+            "types are not written: a name alone, `shape λ;`, is any real number"
+        }
+        Some(StatementKind::Claim(_)) if at_word(input, "with") => {
+            "values of the next segment follow after `continuity(2) with d0 = d1, d1 = d2`; of other claims the values are fixed by `at λ = 1 { … }`"
+        }
+        Some(StatementKind::Claim(claim))
+            if matches!(claim.kind, super::ClaimKind::Continuity(..)) && input.peek(Token![=]) =>
+        {
+            "equations are separated by commas: `with d0 = d1, d1 = d2`"
+        }
+        Some(StatementKind::Claim(claim))
+            if matches!(claim.kind, super::ClaimKind::Smooth(_)) && input.peek(Token![,]) =>
+        {
+            "it is claimed of all functions: `smooth(1)`"
+        }
         _ if input.peek(Token![.]) => METHODS,
         _ if input.peek(Token![%]) => {
             "write a part of the whole as a fraction, `1/2`, or as a decimal, `0.5`"
@@ -352,6 +368,9 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
     };
     Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))
 }
+
+/// What to write for `0,5`.
+pub(super) const DECIMAL_POINT: &str = "a number has a decimal point: write `0.5`";
 
 /// Whether a claim runs over index variables.
 fn has_loops(claim: &super::Claim) -> bool {

@@ -171,6 +171,9 @@ fn statement(input: ParseStream<'_>) -> Result<Vec<TheoremStatement>> {
             TheoremStatementKind::Patch(..) if input.peek(syn::token::Brace) => {
                 "control points stand in brackets: `curve P = Bernstein(1) [(0, 0), (1, 1)];`"
             }
+            TheoremStatementKind::Patch(..) if input.peek(Token![=]) => {
+                "control points follow at once: `curve P = Bernstein(1) [(0, 0), (1, 1)];`"
+            }
             _ if input.peek(Token![.]) => METHODS,
             _ if !input.peek(Token![,]) && !input.peek(Token![&&]) && !input.peek(Token![||]) => {
                 "a statement ends with `;`"

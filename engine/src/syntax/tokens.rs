@@ -73,7 +73,35 @@ pub(super) fn name(input: ParseStream<'_>) -> Result<Name> {
         let help = format!("at most {MAX_LETTERS} letters are read");
         return Err(error(ident.span(), "the name is too long", help));
     }
-    Ok(Name { text: text.replace('\u{b5}', "μ").replace('\u{2126}', "Ω"), span: ident.span() })
+    let plain = |c: char| match c {
+        '\u{b5}' => 'μ',
+        '\u{2126}' => 'Ω',
+        c if c.is_ascii() => c,
+        c => letter_of_formulas(c).unwrap_or(c),
+    };
+    Ok(Name { text: text.chars().map(plain).collect(), span: ident.span() })
+}
+
+/// The letter that a character of the block for formulas stands for, such as λ for 𝜆: what is pasted from a PDF has them, and
+/// they look like the plain ones.
+fn letter_of_formulas(c: char) -> Option<char> {
+    let number = c as u32;
+    let nth = |first: char, k: u32| char::from_u32(first as u32 + k);
+    match number {
+        0x210e => Some('h'),
+        0x1d400..=0x1d6a3 => match (number - 0x1d400) % 52 {
+            k @ 0..26 => nth('A', k),
+            k => nth('a', k - 26),
+        },
+        0x1d6a8..=0x1d7c9 => match (number - 0x1d6a8) % 58 {
+            17 => Some('Θ'),
+            25 | 51 => None,
+            k @ 0..25 => nth('Α', k),
+            k @ 26..51 => nth('α', k - 26),
+            k => "εθκφρπ".chars().nth(k as usize - 52),
+        },
+        _ => None,
+    }
 }
 
 /// An exact number: digits, perhaps with a decimal point.
@@ -124,7 +152,11 @@ pub(super) fn number(literal: &Literal) -> Result<Rational> {
 /// A comparison sign, if one follows.
 pub(super) fn comparison(input: ParseStream<'_>) -> Result<Option<Comparison>> {
     for (is_here, wrong, help) in [
-        (input.peek(Token![=>]), "=>", "write `>=`"),
+        (
+            input.peek(Token![=>]),
+            "=>",
+            "write `>=` for \"at least\", `=` for a definition; what holds for some values is `prove at λ = 0 { b[0] = 1; }`",
+        ),
         (
             input.peek(Token![<]) && input.peek2(Token![>]),
             "<>",

@@ -52,7 +52,7 @@ pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
             } else if name.text == "mut" {
                 "names keep their values: `let c = 1;`"
             } else if input.peek(Token![:]) {
-                "leave the type out: every value is exact, `let c = 1/2;`"
+                "write `=`; types are not written, every value is exact: `let c = 1/2;`"
             } else {
                 return Err(found);
             };

@@ -155,7 +155,10 @@ impl Elaboration<'_> {
                     "a parameter is named in a product only",
                     format!("write `{call}`, and `P(t)` for a point of the curve `P`"),
                 ),
-                Some(_) => ("this is not a curve or surface", format!("write `{call}`")),
+                Some(_) => (
+                    "this is not a curve or surface",
+                    format!("write `{call}`, with given control points in brackets `{call} [(0, 0), …]`"),
+                ),
             };
             self.scope.report(self.scope.error(expr.span, message).help(help));
             return None;

@@ -93,12 +93,17 @@ fn on_spans<'a>(
     for pair in decls.windows(2) {
         let closed = |limit: &Option<syntax::Limit>| limit.as_ref().is_some_and(|l| l.included);
         if !closed(&pair[0].high) || !closed(&pair[1].low) {
-            let help = "write `domain 0 <= x <= 1, 1 <= x <= 3;`";
-            diagnostics.push(wrong(
-                pair[1].name.span,
-                String::from("an inner knot belongs to both of its spans"),
-                help,
-            ));
+            let (message, help) = if pair[0].high.is_none() && pair[1].low.is_none()
+                || pair[0].low.is_none() && pair[1].high.is_none()
+            {
+                (
+                    "the range of a variable has two parts",
+                    "write both ends in one chain, `domain 0 <= t <= 1;`",
+                )
+            } else {
+                ("an inner knot belongs to both of its spans", "write `domain 0 <= x <= 1, 1 <= x <= 3;`")
+            };
+            diagnostics.push(wrong(pair[1].name.span, String::from(message), help));
         }
     }
     if !diagnostics.is_empty() {

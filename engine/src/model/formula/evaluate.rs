@@ -352,7 +352,7 @@ impl Scope<'_> {
         let Some(e) = self.scalar(exponent)?.as_constant() else {
             let error =
                 self.error(exponent.span, "the exponent contains a variable: this is not a polynomial");
-            self.report(error.help("exponents are whole numbers, made of digits and index parameters"));
+            self.report(error.help("exponents are whole numbers, made of digits and index parameters; the exponential is `exp(t)`"));
             return None;
         };
         if !e.is_integer() {

@@ -89,6 +89,7 @@ impl Scope<'_> {
                 false
             }
             Some("a domain variable") => self.check_free_or(name, ON_A_PART),
+            Some("a shape parameter") => self.check_free_or(name, "a claim is about all values of a shape parameter: narrow its range where it is declared; an index variable has a name of its own"),
             Some(_) => self.check_free(name),
         }
     }

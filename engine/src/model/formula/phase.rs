@@ -255,7 +255,9 @@ impl Scope<'_> {
             let (Some((var, _)), Some(power)) = (unit, power.filter(|n| n.abs() <= MAX_MULTIPLE)) else {
                 return Err((
                     format!("exp({number}) is not one of the numbers in which the family is expanded"),
-                    String::from("write the number where a function is defined, such as `let c = exp(1);`"),
+                    String::from(
+                        "it stands in formulas, `let c = exp(1);`; domains end at rational numbers, multiples of `pi` and shape parameters",
+                    ),
                 ));
             };
             // tanh ψ = (E − 1)/(E + 1) with E = exp 2ψ.

@@ -128,7 +128,14 @@ impl Library<'_> {
                     "{name} = {value} is outside of the declared range {first}..={last} of `{}`",
                     family.name.text
                 );
-                return Err(Some((message, format!("widen the range `{name} in {first}..={last}`"))));
+                let help = if *value < first {
+                    format!(
+                        "leave such cases out, `… if {name} > {first}`, or widen the range `{name} in {first}..={last}`"
+                    )
+                } else {
+                    format!("widen the range `{name} in {first}..={last}`")
+                };
+                return Err(Some((message, help)));
             }
         }
         Ok(())
@@ -197,7 +204,13 @@ impl Library<'_> {
     /// The families of the spec that was asked for, with their claims; families with errors are left out.
     pub fn items(&self, selected: Selected) -> Vec<Item> {
         let mut items = Vec::new();
+        let mut seen: Vec<&str> = Vec::new();
         for family in self.families_of(MAIN) {
+            // Of two with one name, which is an error, the first one is meant.
+            if seen.contains(&family.name.text.as_str()) {
+                continue;
+            }
+            seen.push(&family.name.text);
             if selected == Selected::WithoutOrder && !family.orders.is_empty() {
                 continue;
             }
@@ -270,7 +283,12 @@ impl Library<'_> {
             if self.counts_as_family(MAIN, written.name.span).is_none() {
                 break;
             }
-            self.report_all(read(MAIN, self.units[MAIN].source, written));
+            let source = self.units[MAIN].source;
+            let mut found = read(MAIN, source, written);
+            if found.errors() == 0 {
+                found.extend(unused::of_theorem(written, &|span| self.place(source, span)));
+            }
+            self.report_all(found);
         }
     }
 

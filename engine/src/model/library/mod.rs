@@ -206,8 +206,13 @@ impl<'f> Library<'f> {
 
     /// The place of a span in a source.
     pub(crate) fn place(&self, source: SourceId, span: Span) -> Place {
-        if self.sources.get(source).text.is_some() {
-            Place::Text(source, span.byte_range())
+        if let Some(text) = &self.sources.get(source).text {
+            let mut range = span.byte_range();
+            // Of a token that stands for a longer character the whole of that.
+            while !text.is_char_boundary(range.end) {
+                range.end += 1;
+            }
+            Place::Text(source, range)
         } else {
             Place::Token(span, span)
         }

@@ -17,6 +17,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
+use crate::model::words::PI;
 use crate::source::SourceId;
 use crate::syntax::{Expr, FunctionDef, Name};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -343,6 +344,8 @@ impl Scope<'_> {
     pub(crate) fn taken(&self, name: &str) -> Option<&'static str> {
         if BUILTINS.contains(&name) || is_transcendental(name) {
             Some("a function of the language")
+        } else if PI.contains(&name) {
+            Some("a number of the language")
         } else if self.constant(name).is_some() {
             Some("an index")
         } else if self.arguments.iter().any(|(n, _)| n == name) {

@@ -35,6 +35,23 @@ impl Scope<'_> {
         let derivative =
             name.strip_prefix('d').filter(|rest| *rest == self.function_name && !rest.is_empty());
         let help = match name {
+            _ if name.strip_prefix('d').is_some_and(|variable| self.variable(variable).is_some()) => String::from(
+                "leave the differential out: `integral(x)` is over the whole domain, `integral(x, t, a, b)` between bounds",
+            ),
+            _ if name.strip_prefix(['C', 'G']).is_some_and(|order| order.parse::<u8>().is_ok()) => {
+                format!("the order is a number: `continuity({0})`, `smooth({0})`", &name[1..])
+            }
+            "ε" | "eps" | "epsilon" | "ulp" | "ulps" => {
+                String::from("a bound of rounding errors is a number, in units of ε: `rounding <= 5`")
+            }
+            _ if name.strip_prefix(self.function_name.as_str()).is_some_and(|rest| rest.starts_with('['))
+                || FUNCTIONS.contains(&name) && self.functions.is_empty() =>
+            {
+                return self.report(
+                    self.error(span, format!("`{name}` is no parameter"))
+                        .help("ranges, assumptions and `at` are about shape parameters and the domain variable, not about functions"),
+                );
+            }
             "abs" => String::from("write `-1 <= x <= 1` for |x| <= 1"),
             "sqrt" => String::from(
                 "roots are not in the language: claim something about the square, `x^2 = 2`, or let the root be a shape parameter",

@@ -248,7 +248,11 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace => {
             let found = unexpected(input, "a number, a name or `(`").to_string();
             input.parse::<TokenTree>()?;
-            Err(error(g.span_open(), found, "write parentheses, `(…)`, around a part of a formula"))
+            Err(error(
+                g.span_open(),
+                found,
+                "a list is `[1, 0]`, a loop `for i in 0..=2`, a sum `sum(t^i for i in 0..=2)`; around a part of a formula stand parentheses",
+            ))
         }
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::None => {
             // A fragment that another macro passed on.
@@ -269,7 +273,7 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
         Some((TokenTree::Punct(_), _)) if input.peek(Token![...]) || input.peek(Token![..]) => Err(error(
             span,
             "dots do not stand for the terms between others",
-            "write `sum(b[i] for i in 0..=3)`, or `product(…)`",
+            "write `sum(b[i] for i in 0..=3)`, `product(…)`, and all entries of a list or `[x for i in 0..=n]`",
         )),
         Some((TokenTree::Punct(p), after)) if p.as_char() == '.' && after.literal().is_some() => {
             let found = unexpected(input, "a number, a name or `(`").to_string();
@@ -312,8 +316,8 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
             if parts.is_empty() && content.peek(Token![for]) {
                 return Err(error(
                     part.span,
-                    "a sum has one `for`",
-                    "write one sum in another: `sum(sum(x for i in 0..=n) for j in 0..=m)`",
+                    "there is one `for`",
+                    "write both loops behind it: `x for i in 0..=n, j in 0..=m`",
                 ));
             }
             if !parts.is_empty() || !content.is_empty() {
@@ -358,13 +362,13 @@ fn separator(content: ParseStream<'_>) -> Result<()> {
     } else if !content.is_empty() {
         let found = unexpected(content, "`,` or an operator");
         let help = if gives_a_value(content) {
-            "a value stands between the parentheses without the name of its variable: `b[0](0)`, `D(b[0])(1/2)`"
+            "a value of the domain variable stands between the parentheses without its name, `b[0](0)`, `D(b[0])(1/2)`, those of the shape parameters of a family likewise, `F(1/2)`; in the family itself a parameter is fixed by `at λ = 1/2 { … }`"
         } else if content.peek(Token![=]) || content.peek(Token![in]) {
-            "write the loop of a sum behind the expression, `sum(t^i for i in 0..=3)`, the bounds of an integral one by one, `integral(b[0], t, 0, 1)`"
+            "write the loop of a sum or a list behind the expression, `sum(t^i for i in 0..=3)`, `[t^i for i in 0..=3]`, the bounds of an integral one by one, `integral(b[0], t, 0, 1)`"
         } else if content.peek(Token![if]) {
             CONDITIONS
         } else if content.peek(Token![..]) {
-            "a part of a list is written with a loop, `b[i] >= 0 for i in 0..=2`, a sum as `sum(b[i] for i in 0..=2)`"
+            "a part of a list is written with a loop, `b[i] >= 0 for i in 0..=2`, a sum as `sum(b[i] for i in 0..=2)`, an integral between bounds as `integral(b[0], t, 0, 1)`"
         } else if content.peek(Token![.]) {
             METHODS
         } else {

@@ -95,6 +95,13 @@ pub(super) fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<
         _ if matches!(&before.kind, ExprKind::List(ends) if ends.len() == 2) && ends_after(input) => {
             "a range is written with its variable inside: `domain 0 <= t <= 1;`"
         }
+        _ if matches!(&before.kind, ExprKind::Name(name) if name == "not") => "write `!=`, or `!(…)`",
+        _ if matches!(&before.kind, ExprKind::Name(name) if name == "curve" || name == "surface") => {
+            "the word stands alone: `curve P = Bernstein(2);`"
+        }
+        _ if matches!(&before.kind, ExprKind::Name(name) if name == "triangle" || name == "tetrahedron") => {
+            "barycentric coordinates stand in parentheses: `domain triangle (u, v, w);`"
+        }
         "triangle" | "tetrahedron" => {
             "the factors of a domain are separated by commas: `domain -1 <= z <= 1, triangle (u, v, w);`"
         }

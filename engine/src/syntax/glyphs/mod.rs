@@ -87,6 +87,8 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
             _ if QUOTES.contains(c) && is_path(text, at) => {
                 errors.push(quoted(text, at, &mut rest, &mut repaired));
             }
+            // The sign says it.
+            _ if previous == '⁻' && SUPERSCRIPTS.contains(c) => repaired.replace(at, c.len_utf8(), ""),
             // Of several primes the first says it.
             _ if PRIMES.contains(c) && PRIMES.contains(previous) => {
                 repaired.replace(at, c.len_utf8(), "");
@@ -364,14 +366,25 @@ fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, St
         '≡' => ("write `==`", "=="),
         '±' | '∓' => ("write two claims", ""),
         '≈' | '≃' | '≅' => ("numbers are exact here: write `==`, or two inequalities", ""),
-        '≤' => ("write `<=`", "<="),
-        '≥' => ("write `>=`", ">="),
+        '≤' | '⩽' | '≦' => ("write `<=`", "<="),
+        '≥' | '⩾' | '≧' => ("write `>=`", ">="),
         '≠' => ("write `!=` in a condition of a loop; `refute … = …;` claims that two things differ", "!="),
-        '−' | '–' | '—' => ("write the minus sign of the keyboard, `-`", "-"),
+        '−' | '–' | '—' | '‐' | '‑' | '﹣' | '－' => {
+            ("write the minus sign of the keyboard, `-`", "-")
+        }
         '×' => ("write `*` for a product, `cross(a, b)` for that of two vectors", "*"),
-        '·' | '∙' | '⋅' => ("write `*` for a product, `dot(a, b)` for that of two vectors", "*"),
+        '·' | '∙' | '⋅' | '∗' | '＊' => {
+            ("write `*` for a product, `dot(a, b)` for that of two vectors", "*")
+        }
         '…' | '⋯' => ("write `sum(b[i] for i in 0..=3)`, or a loop, `for i in 0..=3`", ""),
-        '÷' | '⁄' | '∕' => ("write `/` for a quotient", "/"),
+        '⁻' => ("write `^(-1)` for a power with a negative exponent", ""),
+        '（' | '［' => ("write the bracket of the keyboard, `(` or `[`", ""),
+        '）' | '］' => ("write the bracket of the keyboard, `)` or `]`", ""),
+        '，' => ("write the comma of the keyboard", ","),
+        '；' => ("write the semicolon of the keyboard", ";"),
+        '＝' => ("write the sign of the keyboard, `=`", "="),
+        '＋' => ("write the sign of the keyboard, `+`", "+"),
+        '÷' | '⁄' | '∕' | '／' => ("write `/` for a quotient", "/"),
         '∑' => ("write `sum(b[i] for i in 0..=n)`", ""),
         '∏' => ("write `product(… for i in 0..=n)`", ""),
         '∂' => ("write `D(b, t)` for a derivative", ""),
@@ -381,17 +394,26 @@ fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, St
         '¾' => ("write `3/4`", "1"),
         '∞' => (
             "leave the end of the range out: `0 < λ` has no upper end; of a domain put t = s/(1 - s) with `0 <= s < 1`",
-            "1",
+            "",
         ),
         '“' | '”' | '„' | '«' | '»' => ("write the straight quotation mark `\"`", ""),
         '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{3000}' => ("write an ordinary space", ""),
         '$' => ("leave it out: formulas stand without marks around them", ""),
-        '`' | '\0' | '\u{2061}' => ("remove it", ""),
+        '\u{1d7ce}'..='\u{1d7ff}' => ("write the digit of the keyboard", ""),
+        '`' | '\0' => ("remove it", ""),
+        '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2064}' | '\u{feff}' => {
+            ("it is invisible: remove it", "")
+        }
         _ if c.is_alphanumeric() || c.is_whitespace() || is_name_part(c) => return None,
         _ => ("names are letters and digits; operators are `+ - * / ^`", ""),
     };
-    let shown =
-        if c.is_whitespace() || c.is_control() { format!("U+{:04X}", c as u32) } else { format!("`{c}`") };
+    let invisible =
+        |c: char| matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2064}' | '\u{feff}');
+    let shown = if c.is_whitespace() || c.is_control() || invisible(c) {
+        format!("U+{:04X}", c as u32)
+    } else {
+        format!("`{c}`")
+    };
     Some((format!("the character {shown} is not allowed in a spec"), help.to_string(), instead.to_string()))
 }
 

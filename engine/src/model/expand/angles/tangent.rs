@@ -136,6 +136,12 @@ pub(super) fn angle(
         declared.between_functions(scope, &mut new)?
     };
     if range.is_empty() || at.is_domain && range.finite().is_none_or(|(a, b)| a >= b) {
+        let of_pi = declared.ends.iter().find(|l| !l.value.pi.is_zero() && !declared.is_circular());
+        if let Some(end) = of_pi {
+            let message =
+                format!("the end {} of the range of `{}` is no rational number", end.text, declared.name());
+            return declared.wrong(scope, message, RATIONAL_ENDS);
+        }
         let message = format!("the range of `{}` is empty", declared.name());
         return declared.wrong(scope, message, "write the smaller end first");
     }
@@ -143,6 +149,9 @@ pub(super) fn angle(
     conditions.extend(declared.conditions(edges));
     Some(range)
 }
+
+/// What to write where a range of a variable in exponentials ends at a multiple of π.
+const RATIONAL_ENDS: &str = "in `exp`, `sinh` and `cosh` ranges end at rational numbers or at a shape parameter: `shape 0 < α; domain 0 <= t <= α;`";
 
 impl Declared<'_> {
     /// The angle, whose tangent runs from 0 with width 1 until its ends are known.
@@ -220,7 +229,11 @@ impl Declared<'_> {
                 return Some(());
             }
             let message = format!("the ends of the domain of `{name}` could not be proved to be in order");
-            let help = "let the parameter at the end be positive: `shape 0 < α < pi; domain 0 <= t <= α;`";
+            let help = if self.is_circular() {
+                "let the parameter at the end be positive: `shape 0 < α < pi; domain 0 <= t <= α;`"
+            } else {
+                "let the parameter at the end be positive: `shape 0 < α; domain 0 <= t <= α;`"
+            };
             return self.wrong(scope, message, help);
         }
         match self.ends[..] {
