@@ -113,8 +113,8 @@ pub(crate) fn checking(budget: u32) -> Work {
     Work::new(Work::usual(budget).left().min(SHARE.get().saturating_mul(CHECKS)))
 }
 
-/// What counts of a check that was refused for want of work. It ends when something is more than what is left, of which
-/// nothing is done; all that was left is counted by the kernel.
+/// Counts a check that was refused for want of work, with the units that its operations have taken. It ends when something is
+/// more than what is left, of which nothing is done.
 pub(crate) fn charge_refused(units: u64) {
     if SHARE.get() < u64::MAX {
         CUTS.set(CUTS.get() + 1);

@@ -8,10 +8,10 @@ use basis_kernel::{
 };
 
 use crate::algebra::poly::{Monomial, Poly, Var};
-use crate::algebra::range::Range;
+use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
-use crate::algebra::work::Work;
+use crate::algebra::work::{Work, done};
 use crate::budget::{Budget, begin, charge, charge_refused, checking};
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_unique;
@@ -97,12 +97,11 @@ fn direct(statement: &Statement) -> Method {
 
 /// Has the kernel check a certificate, and counts its work.
 fn checked(statement: &Rc<Statement>, certificate: Certificate, mut work: Work) -> Result<Proof, Refusal> {
-    let before = work.left();
+    let (before, operations) = (work.left(), done());
     let proof = Proof::new(Rc::clone(statement), certificate, &mut work);
-    let units = before - work.left();
     match &proof {
-        Err(Refusal::Spent) => charge_refused(units),
-        _ => charge(units),
+        Err(Refusal::Spent) => charge_refused(done() - operations),
+        _ => charge(before - work.left()),
     }
     proof
 }
@@ -153,12 +152,13 @@ fn sign(
         }
     };
     let above = pull_back(&chart, &value.numerator);
-    match search(&if negative { -&above } else { above }, relation) {
-        Found::Proof(method, numerator) => {
-            let certificate = Certificate::Sign { denominator, numerator };
-            propose(statement, certificate, method.max(hardest), budget)
-        }
-        Found::Point(mut point) => {
+    let above = if negative { -&above } else { above };
+    let certificate = |numerator| Certificate::Sign { denominator: denominator.clone(), numerator };
+    match accepted(statement, (&above, relation, region), &certificate, budget) {
+        Ok(Shown { proof, method }) => Ok(Shown { proof, method: method.max(hardest) }),
+        Err(Left::Refused(failure)) => Err(failure),
+        Err(Left::Nothing(left)) => Err(Failure::Undecided(left)),
+        Err(Left::Point(mut point)) => {
             for (var, range) in &region.ranges {
                 if !point.iter().any(|(v, _)| v == var) {
                     point.push((*var, Coordinate::Rational(simple(range))));
@@ -189,7 +189,50 @@ fn sign(
                 |c| Err(Failure::Refuted(Box::new(c))),
             )
         }
-        Found::Nothing(left) => Err(Failure::Undecided(left)),
+    }
+}
+
+/// What there is instead of a proof of a sign.
+enum Left {
+    /// A point at which it fails.
+    Point(Vec<(Var, Coordinate)>),
+    /// Why nothing was found.
+    Nothing(String),
+    /// Proofs, all of which take too much work to check.
+    Refused(Failure),
+}
+
+/// The first proof of the sign of a polynomial that the kernel accepts. Of one that takes too much work to check the method is
+/// left out, and another one may be found.
+fn accepted(
+    statement: &Rc<Statement>,
+    (p, relation, region): (&Poly, Relation, &Region),
+    certificate: &dyn Fn(SignProof) -> Certificate,
+    budget: u32,
+) -> Result<Shown, Left> {
+    let mut left_out: Vec<Method> = Vec::new();
+    let mut refused: Option<Failure> = None;
+    loop {
+        let all = Budget::scaled(budget);
+        let mut own = left_out.iter().fold(all, |budget, method| budget.without(*method));
+        let found = search(p, relation, region, &mut own);
+        drop(own); // what it took counts before the check does
+        let (method, proof) = match found {
+            Found::Proof(method, proof) if !left_out.contains(&method) => (method, proof),
+            other => {
+                return Err(match (refused, other) {
+                    (Some(failure), _) => Left::Refused(failure),
+                    (None, Found::Point(point)) => Left::Point(point),
+                    (None, Found::Nothing(left)) => Left::Nothing(left),
+                    (None, Found::Proof(..)) => Left::Nothing(String::new()), // no method is left out
+                });
+            }
+        };
+        match propose(statement, certificate(proof), method, budget) {
+            Ok(shown) => return Ok(shown),
+            Err(failure) => refused = refused.or(Some(failure)),
+        }
+        left_out.push(method);
     }
 }
 

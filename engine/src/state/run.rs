@@ -17,8 +17,12 @@ const LEAST: u64 = UNITS / 10;
 const CLAIM: u64 = 500;
 
 /// What a claim may take in each round. Nineteen of twenty claims about angles and exponentials are decided in the first two, as
-/// are nearly all about polynomials; together the rounds before the last one take a fifth of what that may take.
-const ROUNDS: [u64; 4] = [250_000, 1_000_000, 4_000_000, UNITS];
+/// are nearly all about polynomials; together the rounds before the last one take a fifth of what that may take, and not much more
+/// where the budget is raised: with more work a search may find a proof that takes too much work to check, and with less a short one.
+const ROUNDS: [u64; 5] = [250_000, 1_000_000, 4_000_000, 10_000_000, UNITS];
+
+/// The round that is for raised budgets alone.
+const RAISED: usize = 3;
 
 /// Of a proof that took all the work there was for it.
 const IN_PARTS: &str = "the other claims have left too little work for it; check it in a spec of its own";
@@ -59,15 +63,18 @@ impl Run {
                 "the other claims have used up the work of a whole run; check it in a spec of its own",
             )));
         }
+        let budget = u64::from(subject.budget());
+        if round == RAISED && budget == 1 {
+            return None;
+        }
         self.left = self.left.saturating_sub(CLAIM);
         // A quarter of what is left, so that the claims after it have the rest.
         let quarter = core::cmp::max(self.left / 4, ROUNDS[0]);
-        let budget = u64::from(subject.budget());
         let is_last = round + 1 == Self::ROUNDS;
         // A raised budget counts in full, or the whole run had no bound: in the end the claim may take half of what is left.
         let half = core::cmp::max(self.left / 2, ROUNDS[0]);
         let share = if is_last { quarter.saturating_mul(budget).min(half) } else { quarter };
-        let units = ROUNDS.get(round)?.saturating_mul(budget).min(share);
+        let units = ROUNDS.get(round)?.saturating_mul(if is_last { budget } else { 1 }).min(share);
         let mut decide = || cut_short_within(units, &mut || super::decide(subject, claim));
         let (verdict, is_cut) = self.counted(&mut decide);
         // A counterexample is checked by itself. A proof may be of other statements than those that the claim alone makes, where
