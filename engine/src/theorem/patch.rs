@@ -113,13 +113,13 @@ impl Elaboration<'_> {
         };
         if !family.analytic.is_empty() || !family.pieces.is_empty() {
             let what = if family.pieces.is_empty() {
-                "has sin, cos, exp, pi, or a shape parameter at an end of its domain"
+                "has sin, cos, exp, pi, or a shape parameter at an end of its domain, if only in a claim"
             } else {
                 "has several spans"
             };
             let error = self.scope.error(callee.span, format!("`{name}` {what}"));
             self.scope.report(
-                error.help("theorems are about curves over families of polynomials and their quotients"),
+                error.help("theorems are about curves over families of polynomials and their quotients; a claim with `pi` belongs to a family of its own"),
             );
             return None;
         }

@@ -19,6 +19,15 @@ impl Scope<'_> {
         value
     }
 
+    /// The same, with what to write instead.
+    pub(crate) fn number_or(&mut self, expr: &Expr, what: &str, help: &str) -> Option<Rational> {
+        let value = self.scalar(expr)?.as_constant();
+        if value.is_none() {
+            self.report(self.no_number(expr, what).help(help));
+        }
+        value
+    }
+
     /// The error about something that has to be a number.
     fn no_number(&self, expr: &Expr, what: &str) -> Diagnostic {
         self.error(expr.span, format!("{what} must be a number")).label("this contains a variable")

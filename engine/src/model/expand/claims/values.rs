@@ -14,6 +14,9 @@ use crate::model::scope::{Inside, Scope};
 use crate::model::{Family, Parameter};
 use crate::syntax::Binding;
 
+/// What to write for `except a = b`.
+const EXCEPTIONS: &str = "exceptions are points; that functions are dependent along a line is claimed of a family in which the one parameter is given by the other, `let a = b;`";
+
 /// A name that gets a value, as text.
 pub(super) fn bound_text(printer: &Printer<'_>, binding: &Binding) -> String {
     let indices = binding.indices.mapped(|i| printer.print(i)).join(",");
@@ -122,7 +125,7 @@ pub(super) fn exceptions(
                         }
                     }
                 }
-                None => scope.number(&binding.value, "an exceptional value")?,
+                None => scope.number_or(&binding.value, "an exceptional value", EXCEPTIONS)?,
             };
             let Some(shape) = found else {
                 if scope.is_mistaken(&name) {

@@ -103,7 +103,7 @@ fn determine(
     let Some((var, slope)) = found else {
         let error = scope.error(span, "the equation is not linear in a shape parameter");
         scope.report(error.help(
-            "an equation determines a parameter, as in `assume B + 2*C = 1;`; otherwise write inequalities",
+            "an equation determines a parameter that has a number as its coefficient, as in `assume B + 2*C = 1;`; instead of `p*q = 1` write `let q = 1/p;`, otherwise inequalities",
         ));
         return None;
     };

@@ -220,10 +220,11 @@ impl Scope<'_> {
             let name = &self.names[var.0];
             let error = self.error(span, "the integrand may have a pole between the bounds");
             let error = error.label(format!("`{name}` is in a denominator"));
-            self.report(
-                error
-                    .help("where there is a denominator, the bounds are ends of the domain or numbers in it"),
-            );
+            self.report(error.help(if self.domain.is_empty() {
+                "claim the integral in the family, where the denominator is known to be positive: here polynomials are integrated"
+            } else {
+                "where there is a denominator, the bounds are ends of the domain or numbers in it"
+            }));
         }
         inside.then_some(())
     }
