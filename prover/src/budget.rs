@@ -208,6 +208,15 @@ impl Budget {
         Self { work: Work::new(units), disabled: self.disabled.clone(), units: 0, is_short }
     }
 
+    /// Whether there is as much work left as something takes at least. Of less than usual it counts if there is not.
+    pub(super) fn suffices(&self, units: u64) -> bool {
+        let suffices = units <= self.left();
+        if !suffices && self.is_short {
+            CUTS.set(CUTS.get() + 1);
+        }
+        suffices
+    }
+
     /// Puts back what a part has left over.
     pub(super) fn put_back(&mut self, part: &Self) {
         self.work = Work::new(self.left().saturating_add(part.left()));

@@ -9,6 +9,7 @@ mod integrals;
 mod language_reference;
 mod library_of_specs;
 mod literature;
+mod many_variables;
 mod one_mistake;
 mod over_spans;
 mod parts_of_a_turn;

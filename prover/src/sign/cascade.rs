@@ -83,6 +83,7 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
         };
     }
     if budget.allows(Method::Coefficients)
+        && budget.suffices(subdivision::least_work(problem))
         && let Some(outcome) = by_subdivision(problem, relation, 0, Method::Coefficients, budget)
     {
         return outcome;

@@ -38,6 +38,21 @@ pub(super) fn search(problem: &Problem, relation: Relation, cuts: usize, work: &
     }
 }
 
+/// What the coefficients on the whole box and a look at all its faces take at least; some times that where many variables of
+/// degree 1 have ranges without an end, as one of the two corners of each has hardly any terms then.
+pub(super) fn least_work(problem: &Problem) -> u64 {
+    /// Of how many variables the coefficients are as good as the corners.
+    const FEW: usize = 8;
+    let sizes = problem.ranges.iter().map(|(v, _)| u64::from(problem.poly.degree(*v)) + 1);
+    let coefficients = sizes.fold(1, u64::saturating_mul);
+    let axes = problem.ranges.len() as u32;
+    // Each of the axes is converted by itself.
+    let looks = 1_u64.checked_shl(axes).unwrap_or(u64::MAX) / 4;
+    let unbounded = |(v, range): &&(Var, Range)| problem.poly.degree(*v) == 1 && range.finite().is_none();
+    let times = if problem.ranges.iter().filter(unbounded).count() + 2 > FEW { 16 } else { 1 };
+    coefficients.saturating_mul(times).saturating_mul(looks.saturating_add(3 * u64::from(axes)))
+}
+
 struct Search<'a> {
     problem: &'a Problem,
     relation: Relation,
