@@ -488,6 +488,32 @@ fn other_ways_follow_where_the_first_one_fails() {
         }",
     );
     assert!(found[0] == "=" && found[1].contains(" at "), "{found:?}");
+    // Where a is 0, so is b.
+    let found = verdicts(
+        "theorem Discriminant {
+            scalar 0 <= a, 0 <= c, b, 0 <= t <= 1;
+            assume b^2 <= a*c;
+            prove a*(1 - t)^2 + 2*b*t*(1 - t) + c*t^2 >= 0;
+            refute a*(1 - t)^2 + 21/10*b*t*(1 - t) + c*t^2 >= 0;
+        }",
+    );
+    assert!(found[0] == "=" && found[1].contains(" at "), "{found:?}");
+}
+
+/// The least value among simple points is 0 at many of them, and only some lie next to a point where it is negative.
+#[test]
+fn counterexamples_next_to_one_of_many_zeros() {
+    let found = verdicts(
+        "family Disk {
+            domain 0 <= t <= 1;
+            shape -1 <= a <= 1, -1 <= b <= 1;
+            assume a^2 + b^2 <= 1;
+            f[0] = t;
+            refute t*b/2 + a^2 <= 1;
+            prove t*b/2 + a^2 <= 9/8;
+        }",
+    );
+    assert!(found[0].contains(" at ") && found[1] == "=", "{found:?}");
 }
 
 /// What is assumed of scalars says nothing of the coordinates of points, which may be any numbers.

@@ -300,11 +300,22 @@ impl Sign<'_> {
         let ranges = domain.region.ranges.iter_mut();
         let Some((_, range)) = ranges.into_iter().find(|(own, _)| *own == v) else { return false };
         *range = Range::closed(zero.clone(), zero.clone());
+        let mut zeros = vec![v];
         for (g, _) in &mut domain.premises {
             *g = g.at(v, &zero);
         }
-        let [numerator, denominator] =
-            [&self.value.numerator, &self.value.denominator].map(|p| p.at(v, &zero));
+        // Where −x² ≥ 0, x is 0, too.
+        while let Some(x) = domain.premises.iter().find_map(|(g, _)| vanishing(g)) {
+            for (g, _) in &mut domain.premises {
+                *g = g.at(x, &zero);
+            }
+            for (_, range) in domain.region.ranges.iter_mut().filter(|(own, _)| *own == x) {
+                *range = Range::closed(zero.clone(), zero.clone());
+            }
+            zeros.push(x);
+        }
+        let at_zeros = |p: &Poly| zeros.iter().fold(p.clone(), |p, x| p.at(*x, &zero));
+        let [numerator, denominator] = [&self.value.numerator, &self.value.denominator].map(at_zeros);
         if denominator.is_zero() {
             return false;
         }
@@ -395,6 +406,14 @@ impl Sign<'_> {
             })
         })
     }
+}
+
+/// The variable that vanishes where a polynomial −c·x², −c·x⁴, … is ≥ 0.
+fn vanishing(g: &Poly) -> Option<Var> {
+    let ([x], [coefficient]) = (&g.variables()[..], &g.terms().map(|(_, c)| c.clone()).listed()[..]) else {
+        return None;
+    };
+    (coefficient.is_negative() && g.degree(*x).is_multiple_of(2)).then_some(*x)
 }
 
 /// Whether a range has no negative numbers.

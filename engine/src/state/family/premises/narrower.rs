@@ -89,6 +89,10 @@ impl Sign<'_> {
                 };
                 let domain = Domain { premises: Vec::new(), region: outside, ..self.domain.clone() };
                 let value = Quotient::from(-g);
+                // Where other variables are not next to 0 there may be no such end.
+                if Seen::new(&value, &domain).is_none_or(|seen| seen.fails(Relation::Positive)) {
+                    continue;
+                }
                 all.push(Statement::Sign { value, relation: Relation::Positive, domain: Rc::new(domain) });
                 let own = &mut region.ranges[k].1;
                 if upper { own.high = End::Included(number) } else { own.low = End::Included(number) }

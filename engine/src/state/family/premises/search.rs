@@ -16,6 +16,9 @@ use crate::algebra::work::Work;
 /// Steps that are tried on the way down.
 const MAX_TRIES: usize = 3000;
 
+/// From how many other points with the least value steps are made.
+const STARTS: usize = 4;
+
 /// How much a way along a border turns inwards, in units of its length.
 const TURNS: [i64; 4] = [0, 1, 4, 16];
 
@@ -46,18 +49,23 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
         return at(inside.max_by_key(|point| room(point))?, work);
     };
     let mut best: Option<(Vec<Rational>, Rational)> = None;
-    for (point, f) in points.iter().zip(f) {
+    for (point, f) in points.iter().zip(&f) {
         let Some(f) = f else { continue };
         let better = best.as_ref().is_none_or(|(known, least)| match f.cmp(least) {
             Ordering::Equal => room(point) > room(known),
             order => order == Ordering::Less,
         });
         if better && counts(point) {
-            best = Some((point.clone(), f));
+            best = Some((point.clone(), f.clone()));
         }
     }
-    let (mut point, mut least) = best?;
-    // Downhill in smaller and smaller steps.
+    let (first, least_of_all) = best?;
+    // Where others have the same value, some of them in all parts of the domain follow.
+    let alike = |(_, f): &(&Vec<Rational>, &Option<Rational>)| f.as_ref() == Some(&least_of_all);
+    let alike = points.iter().zip(&f).filter(alike).map(|(point, _)| point);
+    let alike = alike.filter(|point| **point != first && counts(point)).listed();
+    let last = alike.len().saturating_sub(1);
+    let others = (0..STARTS.min(alike.len())).map(|k| alike[k * last / (STARTS - 1)].clone()).listed();
     let ranges = all_ranges(value, domain);
     let moving =
         |(var, _): &&(Var, Range)| value.numerator.depends_on(*var) || value.denominator.depends_on(*var);
@@ -65,46 +73,54 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     let directions = directions(moving.len());
     let slopes = Slopes::new(value, domain, &moving);
     let finest = if moving.len() <= 2 { 28 } else { 14 };
-    let mut step = Rational::new(1, 16);
-    let mut tries = 0;
-    while tries < MAX_TRIES && relation.holds(&least) {
-        let mut lower = None;
-        let widths = |(var, range): &(Var, Range), steps: &i64| {
-            let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
-            (*var, &(&step * &width) * &Rational::from(*steps))
-        };
-        let fixed = directions
-            .iter()
-            .map(|direction| moving.iter().zip(direction).map(|(one, steps)| widths(one, steps)).listed());
-        // Those along a border are asked for where none of the others leads down.
-        let along = core::iter::once_with(|| slopes.moves(&point, &step)).flatten();
-        for change in fixed.chain(along) {
-            let mut next = point.clone();
-            for (var, by) in &change {
-                next[var.0] += by;
+    let mut lowest = first.clone();
+    for (number, start) in [first].into_iter().chain(others).enumerate() {
+        let (mut point, mut least) = (start, least_of_all.clone());
+        let mut step = Rational::new(1, 16);
+        // Downhill in smaller and smaller steps.
+        let mut tries = 0;
+        while tries < MAX_TRIES && relation.holds(&least) {
+            let mut lower = None;
+            let widths = |(var, range): &(Var, Range), steps: &i64| {
+                let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
+                (*var, &(&step * &width) * &Rational::from(*steps))
+            };
+            let fixed = directions.iter().map(|direction| {
+                moving.iter().zip(direction).map(|(one, steps)| widths(one, steps)).listed()
+            });
+            // Those along a border are asked for where none of the others leads down.
+            let along = core::iter::once_with(|| slopes.moves(&point, &step)).flatten();
+            for change in fixed.chain(along) {
+                let mut next = point.clone();
+                for (var, by) in &change {
+                    next[var.0] += by;
+                }
+                tries += 1;
+                let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
+                if !inside || !fits(domain, &next) || !counts(&next) {
+                    continue;
+                }
+                if let Some(Some(f)) = values(&value.numerator, &value.denominator, &[next.clone()])?.pop()
+                    && (f < least || f == least && room(&next) > room(&point))
+                {
+                    lower = Some((next, f));
+                    break;
+                }
             }
-            tries += 1;
-            let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
-            if !inside || !fits(domain, &next) || !counts(&next) {
-                continue;
-            }
-            if let Some(Some(f)) = values(&value.numerator, &value.denominator, &[next.clone()])?.pop()
-                && (f < least || f == least && room(&next) > room(&point))
-            {
-                lower = Some((next, f));
-                break;
+            match lower {
+                Some(better) => (point, least) = better,
+                None if step.denom().bits() > finest => break,
+                None => step = &step * &Rational::new(1, 2),
             }
         }
-        match lower {
-            Some(better) => (point, least) = better,
-            None if step.denom().bits() > finest => break,
-            None => step = &step * &Rational::new(1, 2),
+        if !relation.holds(&least) {
+            return at(&point, work);
+        }
+        if number == 0 {
+            lowest = point;
         }
     }
-    if relation.holds(&least) {
-        return touching::counterexample(&Rc::new(statement.clone()), &ranges, &point, work);
-    }
-    at(&point, work)
+    touching::counterexample(&Rc::new(statement.clone()), &ranges, &lowest, work)
 }
 
 /// The gradients of a quotient and of the premises.
@@ -138,14 +154,10 @@ impl<'d> Slopes<'d> {
         let slopes = slope_above.iter().zip(&slope_below);
         let mut down = slopes.map(|(n, d)| &(&above * d) - &(n * &below)).listed();
         // What leads out of a range stays at its end.
-        let ends = self.variables.iter().zip(&down).map(|((var, range), by)| {
-            let end = if by.is_negative() { &range.low } else { &range.high };
-            end.value() == Some(&point[var.0])
-        });
-        let stays = ends.listed();
         let within = |direction: &mut Vec<Rational>| {
-            for (by, stays) in direction.iter_mut().zip(&stays) {
-                if *stays {
+            for (by, (var, range)) in direction.iter_mut().zip(&self.variables) {
+                let end = if by.is_negative() { &range.low } else { &range.high };
+                if end.value() == Some(&point[var.0]) {
                     *by = Rational::ZERO;
                 }
             }
@@ -159,7 +171,7 @@ impl<'d> Slopes<'d> {
             let mut inward = at(premise);
             within(&mut inward);
             let (towards, length) = (dot(&down, &inward), dot(&inward, &inward));
-            if let Some(share) = (-towards).checked_div(&length).filter(Rational::is_positive) {
+            if let Some(share) = (-towards).checked_div(&length).filter(|share| !share.is_negative()) {
                 let along = down.iter().zip(&inward).map(|(d, g)| d + &(g * &share)).listed();
                 all.push((along, Some(inward)));
             }
