@@ -343,7 +343,7 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
     {
         let found = unexpected(input, "`{` with the equations that hold there");
-        let help = if input.peek(Token![;]) {
+        let help = if input.peek(Token![;]) || input.peek(Token![&&]) {
             "values are separated by commas: `prove at t = 0, λ = 1 { b[0] = 1; }`"
         } else {
             "write `prove at t = 0 { b[0] = 1; }`"
@@ -402,7 +402,11 @@ pub(super) fn assumption(input: ParseStream<'_>) -> Result<Relation> {
     let left = expr(&ahead)?;
     if comparison(&ahead)?.is_none() {
         let found = unexpected(&ahead, "`<=`, `>=`, `<`, `>` or `=`").to_string();
-        let help = "write what is assumed as an inequality, `assume α + β <= 1;`, or a linear equation";
+        let help = if at_word(input, "parallel") {
+            "assumptions are about scalars; a point is determined by `let Q[1] = P[3] + δ*(P[3] - P[2]);`"
+        } else {
+            "write what is assumed as an inequality, `assume α + β <= 1;`, or a linear equation"
+        };
         return Err(error(if ahead.is_empty() { left.span } else { ahead.span() }, found, help));
     }
     relation(input)
@@ -463,6 +467,9 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
             None if input.peek(Token![,]) => String::from(
                 "write a statement for each claim, `prove b[0] >= 0;`, or a loop, `b[i] >= 0 for i in 0..=1`",
             ),
+            _ if input.peek(Token![:]) => {
+                String::from("claims have no names: a comment `/// …` before the claim says what it is")
+            }
             _ => String::from("a claim is an equation or an inequality"),
         };
         let found = unexpected(input, "`=`, `<=`, `>=`, `<` or `>`").to_string();

@@ -246,6 +246,9 @@ fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> 
     if at_file_doc(input) {
         return Err(found);
     }
+    if input.peek(Token![;]) {
+        return Err(error(input.span(), found.to_string(), "remove it: no `;` follows after `}`"));
+    }
     let help = match input.cursor().ident() {
         Some((word, _)) => {
             let word = word.to_string();

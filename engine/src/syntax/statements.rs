@@ -179,7 +179,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
             Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket => {
                 StatementKind::Function(function(input)?)
             }
-            Some((TokenTree::Punct(p), _)) if p.as_char() == '=' => {
+            Some((TokenTree::Punct(p), value)) if p.as_char() == '=' => {
                 // `b_0` and `b0` are written for `b[0]`.
                 let stem = other.trim_end_matches(|c: char| c.is_ascii_digit());
                 let number = &other[stem.len()..];
@@ -188,6 +188,11 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
                     stem if !number.is_empty() => (stem, number),
                     _ => (other, "0"),
                 };
+                if matches!(value.token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket)
+                {
+                    let help = format!("write each function by itself, `{other}[0] = …; {other}[1] = …;`");
+                    return Err(error(word.span(), format!("`{other}` has no index"), help));
+                }
                 return Err(error(
                     word.span(),
                     format!("`{other}` has no index"),
@@ -226,7 +231,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 }
 
 /// Words with which statements begin elsewhere, and what to write.
-const ELSEWHERE: [(&str, &str); 17] = [
+const ELSEWHERE: [(&str, &str); 19] = [
     ("for foreach loop", "a loop stands behind the formula: `b[i] = t^i for i in 0..=3;`"),
     ("parameter parameters param params", "write `shape -1 <= λ <= 1;` for a shape parameter"),
     ("claim claims assert lemma show property ensure check verify proof prop", "write `prove …;`"),
@@ -251,6 +256,11 @@ const ELSEWHERE: [(&str, &str); 17] = [
     ("scalar", "a parameter of a family is `shape 0 <= λ <= 1;`; scalars belong to theorems"),
     ("fn function", "a name with an argument is `let h(x) = x^2;`"),
     ("at", "write `prove at t = 0 { b[0] = 1; }`"),
+    (
+        "partition_of_unity nonnegative symmetric independent continuity smooth totally_positive rounding",
+        "write `prove` before it",
+    ),
+    ("use", "it stands at the beginning of the file, outside of the family"),
     (
         "curve surface patch",
         "curves belong to theorems: `theorem Name { curve P = Family; … }` outside of the family",
@@ -279,7 +289,7 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
     match kind {
         Some(StatementKind::Claim(claim)) if matches!(claim.kind, super::ClaimKind::At(..)) => {
             if input.peek(Token![for]) {
-                let help = "an index variable belongs to one equation; what it is at a place is its value there: `D(b[i])(i/n) = 0 for i in 1..n;`";
+                let help = "an index variable belongs to one equation, `prove at t = 0 { b[i] = 0 for i in 1..=n; }`; at a place that depends on it claim the value there: `D(b[i])(i/n) = 0 for i in 1..n;`";
                 return Err(error(input.span(), "`for` does not follow after a block", help));
             }
             if input.peek(Token![if]) {

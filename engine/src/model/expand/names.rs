@@ -135,6 +135,9 @@ fn report_circle(scope: &Scope<'_>, circle: &[Needed], span: Span) {
         Needed::Function(index) => label(&scope.function_name, index),
     };
     let Some(first) = circle.first().map(shown) else { return };
+    if scope.is_mistaken(&first) {
+        return; // its name was declared for something else, too
+    }
     let error = scope.error(span, format!("`{first}` is defined by itself"));
     let error = if circle.len() == 1 {
         error

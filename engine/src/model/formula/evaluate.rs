@@ -188,6 +188,9 @@ impl Scope<'_> {
             return Some(Value::List(list));
         }
         if BUILTINS.contains(&name) || is_transcendental(name) {
+            if self.is_mistaken(name) {
+                return None;
+            }
             let error = self.error(span, format!("`{name}` needs arguments"));
             self.report(error.help(format!("write `{name}(…)`")));
             return None;

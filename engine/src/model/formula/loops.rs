@@ -61,7 +61,7 @@ impl Scope<'_> {
             self.report(error.label("this contains a variable").help(if self.subject == Subject::Theorem {
                 "conditions choose among the values of index variables; `assume λ > 0;` narrows the range of a scalar"
             } else {
-                "conditions choose among the values of index variables; `at λ = μ { … }` fixes shape values, `independent except λ = 1` leaves some out; on parts of the domain a function is given in spans, `domain 0 <= t <= 1, 1 <= t <= 2; b[0] = t | 2 - t;`"
+                "conditions choose among the values of index variables; `prove at t = 0 { … }` fixes a place, `at λ = μ { … }` shape values, `independent except λ = 1` leaves some out; on parts of the domain a function is given in spans, `domain 0 <= t <= 1, 1 <= t <= 2; b[0] = t | 2 - t;`"
             }));
         }
         value.as_constant()

@@ -396,6 +396,7 @@ impl Scope<'_> {
         let Some(what) = self.taken(&name.text) else { return true };
         let error =
             self.error(name.span, format!("`{}` is already {what}", name.text)).label("declared again here");
+        self.undeclared.borrow_mut().push(name.text.clone());
         self.report(error.help(help));
         false
     }

@@ -52,6 +52,10 @@ impl Scope<'_> {
                         .help("ranges, assumptions and `at` are about shape parameters and the domain variable, not about functions"),
                 );
             }
+            _ if self.with_underscore(name).is_some() => self.with_underscore(name).unwrap_or_default(),
+            "i" | "j" | "k" | "l" if !self.counts && self.subject != Subject::Theorem => format!(
+                "an index variable is known in its own statement, `for {name} in 0..=3`; a name by `let` takes it as an argument, `let h(x, {name}) = …;`"
+            ),
             "abs" => String::from("write `-1 <= x <= 1` for |x| <= 1"),
             "sqrt" => String::from(
                 "roots are not in the language: claim something about the square, `x^2 = 2`, or let the root be a shape parameter",
@@ -70,7 +74,7 @@ impl Scope<'_> {
             _ if self.domain.is_empty() && self.coming.iter().any(|n| n == name) => {
                 return self.report(
                     self.error(span, format!("`{name}` is a domain variable"))
-                        .help("ranges and assumptions are made of shape parameters and numbers"),
+                        .help("ranges and assumptions are made of shape parameters and numbers; the domain itself has the ends that it is declared with"),
                 );
             }
             "infinity" | "inf" | "oo" => String::from(
@@ -108,6 +112,15 @@ impl Scope<'_> {
             })),
         };
         self.report(error.help(help));
+    }
+
+    /// What to write for `λ` where there is `λ_1`.
+    fn with_underscore(&self, name: &str) -> Option<String> {
+        let digits = |rest: &str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
+        let mut alike = self.names.iter().filter(|known| {
+            known.strip_prefix(name).and_then(|rest| rest.strip_prefix('_')).is_some_and(digits)
+        });
+        alike.next().map(|known| format!("did you mean `{known}`? Parameters with an index are declared by `shape {name}[i] for i in 1..=2;`"))
     }
 
     /// What to write for `λ1` where `λ[1]` is meant.

@@ -129,6 +129,11 @@ fn command(text: &str) -> Pasted {
     };
     // Its arguments mean nothing without it.
     let mut end = len;
+    if matches!(name, "sum" | "prod" | "int") {
+        while let Some(bounds) = script(&text[end..]).filter(|_| text[end..].starts_with(['_', '^'])) {
+            end += bounds.len;
+        }
+    }
     while let Some((length, _)) = braces(&text[end..]) {
         end += length;
     }

@@ -58,7 +58,7 @@ impl Declared<'_> {
         let help = if self.at.is_domain {
             "choose ends at which the smallest angle is a multiple of pi/3, pi/4, pi/5 or another small part of `pi`; a shape parameter may also be the end of the domain, `shape 0 < α <= pi/2; domain 0 <= t <= α;`"
         } else {
-            "let the range begin at 0, or choose ends at which half of the smallest angle is a multiple of pi/4"
+            "let the range begin at 0, or make it smaller: between its ends there may be no other zero of the polynomial that vanishes at an end, and ends such as pi/6, pi/4 or pi/3 leave more room than pi/8"
         };
         self.wrong(scope, message, help)
     }

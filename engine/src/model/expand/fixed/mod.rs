@@ -75,9 +75,11 @@ pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]
         let Some(var) = scope.variable(name) else {
             if scope.taken(name).is_some() {
                 let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
-                scope.report(
-                    error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
-                );
+                scope.report(error.help(if scope.constant(name).is_some() {
+                    format!("an index parameter is fixed behind the claim: `b[0] = 1 if {name} == 2`")
+                } else {
+                    format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))
+                }));
             } else if scope.is_list_of_shapes(&binding.name.text) {
                 scope.no_such_shape(&binding.name.text, name, binding.name.span);
             } else {

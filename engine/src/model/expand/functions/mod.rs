@@ -70,6 +70,8 @@ pub(crate) fn define<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) {
                     Some((name, lowest)) => raise(scope, written, def, name, *lowest),
                     // A lowest order that went wrong has been reported.
                     None if bases.is_some() => {}
+                    // What could not be read may have been the lowest order.
+                    None if written.incomplete => scope.cut_short = true,
                     None => no_base(scope, written, def),
                 }
             }
@@ -78,6 +80,7 @@ pub(crate) fn define<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) {
     }
     if let Some((name, lowest)) = &base
         && scope.constant(name).is_some_and(|n| n > *lowest)
+        && !written.incomplete
         && !written.statements.iter().any(|s| matches!(s.kind, StatementKind::Raise(_)))
     {
         let error = scope
@@ -452,11 +455,14 @@ fn check_spans(scope: &mut Scope<'_>, written: &syntax::Family) {
             _ => continue,
         };
         if !def.further.is_empty() && (scope.span.is_none() || !plain) {
+            scope.cut_short = true;
+            if written.incomplete && plain {
+                return; // what could not be read may have been the spans
+            }
             let error = scope.error(def.name.span, "several formulas for one span");
             scope.report(
                 error.help("name the domain variable once for each span: `domain 0 <= x <= 1, 1 <= x <= 3;`"),
             );
-            scope.cut_short = true;
         }
     }
 }
