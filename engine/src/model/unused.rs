@@ -76,6 +76,11 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
     let mut all = Vec::new();
     let mut used: Vec<&str> = Vec::new();
     let mut declared: Vec<(&str, Span)> = Vec::new();
+    let given = written.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Let(def) => Some(def.name.text.as_str()),
+        _ => None,
+    });
+    let given: Vec<&str> = given.collect();
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Shape(decls) => {
@@ -83,9 +88,10 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
                 for decl in decls {
                     in_loops(&decl.loops, &mut used);
                     for part in &decl.parts {
-                        // Beside another name π is the number.
-                        let pi = |n: &str| PI.contains(&n) && decl.names().len() > 1;
-                        match part.named().filter(|n| !pi(n)) {
+                        // Beside another name π is the number, and a name that `let` gives is its value.
+                        let is_value =
+                            |n: &str| PI.contains(&n) && decl.names().len() > 1 || given.contains(&n);
+                        match part.named().filter(|n| !is_value(n)) {
                             Some(known) if declared.iter().all(|(other, _)| *other != known) => {
                                 declared.push((known, part.span));
                                 if let ExprKind::Index(_, indices) = &part.kind {
@@ -112,20 +118,11 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
             }
             StatementKind::Assume(relation) => in_relation(relation, &mut used),
             StatementKind::Let(def) => names(&def.value, &mut used),
-            StatementKind::Function(def) | StatementKind::Raise(def) => {
-                for index in &def.indices {
-                    names(index, &mut used);
-                }
-                names(&def.value, &mut used);
-                for formula in &def.further {
-                    names(formula, &mut used);
-                }
-                in_loops(&def.loops, &mut used);
-            }
+            StatementKind::Function(def) | StatementKind::Raise(def) => in_function(def, &mut used),
             StatementKind::Base(order, functions) => {
                 used.push(&order.name.text);
                 for def in functions {
-                    names(&def.value, &mut used);
+                    in_function(def, &mut used);
                 }
             }
             StatementKind::Claim(claim) => {
@@ -290,6 +287,13 @@ fn names<'e>(expr: &'e Expr, used: &mut Vec<&'e str>) {
     for part in expr.parts() {
         names(part, used);
     }
+}
+
+fn in_function<'e>(def: &'e syntax::FunctionDef, used: &mut Vec<&'e str>) {
+    for part in def.indices.iter().chain([&def.value]).chain(&def.further) {
+        names(part, used);
+    }
+    in_loops(&def.loops, used);
 }
 
 fn in_loops<'e>(loops: &'e Loops, used: &mut Vec<&'e str>) {

@@ -99,8 +99,15 @@ pub(crate) fn of_family(family: &Family, claim: &Claim) -> Verdict {
 
 /// Decides a claim.
 pub fn decide(subject: &Subject, claim: &Claim) -> Verdict {
-    match subject {
+    let verdict = match subject {
         Subject::Family(family) => of_family(family, claim),
         Subject::Theorem(theorem) => theorem::decide(theorem, claim),
+    };
+    match verdict {
+        // These go without saying.
+        Verdict::Proved(evidence) if evidence.ways().iter().all(|way| *way == family::premises::AWAY) => {
+            Verdict::Proved(evidence.by(Vec::new()))
+        }
+        other => other,
     }
 }

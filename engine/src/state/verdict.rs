@@ -65,8 +65,8 @@ impl Evidence {
         Self { ways, ..self }
     }
 
-    /// For each comparison in which an angle or exponent stands beside its sine or exponential the number of the way to
-    /// statements that are enough for it, see [`statements`](super::statements).
+    /// For each comparison in which an angle or exponent stands beside its sine or exponential, and each one under assumptions, the
+    /// number of the way to statements that are enough for it, see [`statements`](super::statements).
     pub fn ways(&self) -> &[usize] {
         &self.ways
     }

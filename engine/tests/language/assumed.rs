@@ -500,6 +500,22 @@ fn other_ways_follow_where_the_first_one_fails() {
     assert!(found[0] == "=" && found[1].contains(" at "), "{found:?}");
 }
 
+/// Each of several inequalities of a claim, and each span, has a way of its own.
+#[test]
+fn ways_belong_to_their_statements() {
+    let quadratic = "a*(1 - t)^2 + 2*b*t*(1 - t) + c*t^2";
+    let family = |domain: &str, rest: &str| {
+        format!("family F {{ domain {domain}; shape 0 <= a, 0 <= c, b; assume b^2 <= a*c; {rest} }}")
+    };
+    let two = format!(
+        "f[0] = a*c + a - b^2; f[1] = {quadratic}; f[2] = 1 + a*t; prove [f[0], f[1]] >= 0; prove [f[1], f[0]] >= 0; \
+         prove nonnegative;"
+    );
+    assert_eq!(verdicts(&family("0 <= t <= 1", &two)), ["="; 3]);
+    let spans = format!("f[0] = {quadratic} | a*c + a - b^2; prove f[0] >= 0;");
+    assert_eq!(verdicts(&family("0 <= t <= 1, 1 <= t <= 2", &spans)), ["="]);
+}
+
 /// The least value among simple points is 0 at many of them, and only some lie next to a point where it is negative.
 #[test]
 fn counterexamples_next_to_one_of_many_zeros() {

@@ -54,6 +54,19 @@ fn are_as_written_in_the_specs() {
     assert!(overwrite || wrong.is_empty(), "{wrong}");
 }
 
+/// Correct specs have neither errors nor warnings.
+#[test]
+fn correct_specs_have_none() {
+    let mut found = Vec::new();
+    specs(&Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/good"), &mut found);
+    assert!(!found.is_empty(), "the specs are missing");
+    for path in found {
+        let report = check(Source::text("good.basis", std::fs::read_to_string(&path).unwrap()));
+        let said: Vec<_> = report.diagnostics.iter().map(|d| d.render(&report.sources, false)).collect();
+        assert!(said.is_empty(), "{}: {said:?}", path.display());
+    }
+}
+
 /// The spec with the messages of today in place of those that it expects.
 fn annotated(path: &Path, text: &str) -> String {
     let spec: String = text.split_inclusive('\n').filter(|line| !line.starts_with(MARK)).collect();

@@ -68,7 +68,8 @@ impl Scope<'_> {
                 }
                 (None, None) => {
                     let var = self.only_domain_variable(span)?;
-                    if matches!(f.kind, ExprKind::Number(_)) {
+                    if matches!(f.kind, ExprKind::Number(_)) && !matches!(argument.kind, ExprKind::Number(_))
+                    {
                         let error = self.error(argument.span, "the function stands before the order");
                         self.report(error.help("write `D(b[0], 2)`"));
                         return None;

@@ -209,7 +209,7 @@ impl<'f> Library<'f> {
         if let Some(text) = &self.sources.get(source).text {
             let mut range = span.byte_range();
             // Of a token that stands for a longer character the whole of that.
-            while !text.is_char_boundary(range.end) {
+            while range.end < text.len() && !text.is_char_boundary(range.end) {
                 range.end += 1;
             }
             Place::Text(source, range)

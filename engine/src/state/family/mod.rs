@@ -261,7 +261,8 @@ fn away_from_premises(statement: &Statement, saying: &mut Saying<'_>) -> Option<
     match saying {
         Saying::Enough(ways) => premises::by_next(statement, ways),
         Saying::Tried(ways) => premises::tried(statement, ways),
-        Saying::Plainly | Saying::Found(_) | Saying::By(..) => premises::without(statement),
+        Saying::Found(ways) => premises::by_first(statement, ways),
+        Saying::Plainly | Saying::By(..) => premises::without(statement),
     }
 }
 
@@ -473,7 +474,8 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
 fn proved_by_later_ways(family: &Family, claim: &Claim) -> Option<Verdict> {
     let mut ways = Vec::new();
     let said = said(family, claim, &mut Saying::Tried(&mut ways))?;
-    if ways.is_empty() {
+    // By the first ways these are the statements that are not proved.
+    if ways.iter().all(|way| *way == premises::AWAY) {
         return None;
     }
     let stated = said.into_iter().map(|s| s.stated).listed();

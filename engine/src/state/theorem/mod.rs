@@ -227,16 +227,19 @@ fn own_verdict(theorem: &Theorem, claim: &Claim, factor: Option<&str>) -> Verdic
     let stated = own_statements(theorem, claim);
     let assumed = stated.iter().any(parts::has_premises);
     let proved = |shown: Vec<(String, Shown)>| Evidence::new(method(&claim.kind, &shown), steps(shown));
-    match all(parts::enough(stated.clone(), &mut premises::without), theorem.budget) {
-        Ok(shown) => Verdict::Proved(proved(shown)),
+    let mut ways = Vec::new();
+    let enough = parts::enough(stated.clone(), &mut |s| premises::by_first(s, &mut ways));
+    match all(enough, theorem.budget) {
+        Ok(shown) => Verdict::Proved(proved(shown).by(ways)),
         Err((of, decision)) => match &claim.kind {
             ClaimKind::Scalar { comparison, .. } if assumed && *comparison != Comparison::Equal => {
                 match under_premises(theorem, claim, &stated) {
                     Verdict::Undecided(left) => {
                         let mut ways = Vec::new();
                         let later = parts::enough(stated, &mut |s| premises::tried(s, &mut ways));
-                        // Without another way these are the same statements.
-                        let shown = if ways.is_empty() { None } else { all(later, theorem.budget).ok() };
+                        // By the first ways these are the same statements.
+                        let same = ways.iter().all(|way| *way == premises::AWAY);
+                        let shown = if same { None } else { all(later, theorem.budget).ok() };
                         shown
                             .map_or(Verdict::Undecided(left), |shown| Verdict::Proved(proved(shown).by(ways)))
                     }

@@ -47,8 +47,13 @@ const MAX_TRIED: usize = 12;
 /// The work for one of them.
 const TRIED: u64 = 4_000_000;
 
-/// The numbers of ways are these and larger ones; the first way of all needs none.
-const AWAY: usize = 100;
+/// The number of the first way; those of the others follow.
+pub(in crate::state) const AWAY: usize = 100;
+
+/// Whether a statement about a sign has premises: then the way away from them has a number.
+fn is_assumed(statement: &Statement) -> bool {
+    matches!(statement, Statement::Sign { domain, .. } if !domain.premises.is_empty())
+}
 
 /// Takes statements that are enough, and says whether they will do.
 type Accept<'a> = dyn FnMut(Vec<Statement>) -> bool + 'a;
@@ -62,14 +67,21 @@ pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>>
     })
 }
 
-/// The same by the way that is the next one of some, if that is one of ours.
+/// The same, and the number of the way is noted.
+pub(in crate::state) fn by_first(statement: &Statement, noted: &mut Vec<usize>) -> Option<Vec<Statement>> {
+    if is_assumed(statement) {
+        noted.push(AWAY);
+    }
+    without(statement)
+}
+
+/// The same by the way that is the next one of some, if these have numbers of ways.
 pub(in crate::state) fn by_next(
     statement: &Statement,
     given: &mut core::slice::Iter<'_, usize>,
 ) -> Option<Vec<Statement>> {
-    let Some(way) = given.as_slice().first().and_then(|number| number.checked_sub(AWAY)) else {
-        return without(statement);
-    };
+    let next = given.as_slice().first().and_then(|number| number.checked_sub(AWAY));
+    let Some(way) = next.filter(|_| is_assumed(statement)) else { return without(statement) };
     given.next();
     let mut found = None;
     ways(statement, &mut |number, enough| {
@@ -82,7 +94,7 @@ pub(in crate::state) fn by_next(
     found
 }
 
-/// The same by the first way that leads to a proof, of which the number is noted if it is not the first way of all.
+/// The same by the first way that leads to a proof, of which the number is noted; where none does, by the first of all.
 pub(in crate::state) fn tried(statement: &Statement, noted: &mut Vec<usize>) -> Option<Vec<Statement>> {
     let is_proved = |s: &Statement| basis_prover::decide(s.clone(), &Vec::new(), 1).is_ok();
     let (mut first, mut found) = (None, None);
@@ -94,17 +106,16 @@ pub(in crate::state) fn tried(statement: &Statement, noted: &mut Vec<usize>) -> 
         first.get_or_insert(enough);
         number == MAX_TRIED
     });
-    let Some((number, enough)) = found else { return first };
-    if number > 0 {
-        noted.push(AWAY + number);
+    if is_assumed(statement) {
+        noted.push(AWAY + found.as_ref().map_or(0, |(number, _)| *number));
     }
-    Some(enough)
+    found.map_or(first, |(_, enough)| Some(enough))
 }
 
 /// Statements that are enough, by one way after the other, each with its number, until one will do.
 fn ways(statement: &Statement, accept: &mut dyn FnMut(usize, Vec<Statement>) -> bool) -> Option<()> {
     let Statement::Sign { value, relation, domain } = statement else { return None };
-    if domain.premises.is_empty() {
+    if !is_assumed(statement) {
         return None;
     }
     let sign = Sign { value: Positive::of(domain).reduced(value), relation: *relation, domain };
