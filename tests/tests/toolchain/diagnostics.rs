@@ -61,7 +61,7 @@ fn correct_specs_have_none() {
     specs(&Path::new(env!("CARGO_MANIFEST_DIR")).join("specs/good"), &mut found);
     assert!(!found.is_empty(), "the specs are missing");
     for path in found {
-        let report = check(Source::text("good.basis", std::fs::read_to_string(&path).unwrap()));
+        let report = check(Source::text("good.basis", &std::fs::read_to_string(&path).unwrap()));
         let said: Vec<_> = report.diagnostics.iter().map(|d| d.render(&report.sources, false)).collect();
         assert!(said.is_empty(), "{}: {said:?}", path.display());
     }
