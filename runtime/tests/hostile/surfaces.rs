@@ -125,7 +125,7 @@ const TENSOR: &[Case<Tensor>] = &[
                 && (is_nan(turned.eval(a, b)) || !(a.is_nan() && b.is_nan()))
         })
     }),
-    ("control_box", |s, a, b| is_box(s.control_box())),
+    ("control_box", |s, _, _| is_box(s.control_box())),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
     ("nearest", |s, a, b| {
         // The point matters, and accuracies of every size.
@@ -208,7 +208,7 @@ const RATIONAL: &[Case<Rational>] = &[
     ("control_point", |s, _, _| {
         s.control_point(4, 0).is_none() && s.control_point(usize::MAX, usize::MAX).is_none()
     }),
-    ("control_box", |s, a, b| is_box(s.control_box())),
+    ("control_box", |s, _, _| is_box(s.control_box())),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
 ];
 
@@ -234,7 +234,7 @@ const REVOLVED: &[Case<Revolved>] = &[
         let plane = Curve::new(s.generatrix().basis(), [[a, b], [b, a], [0.0, 0.0], [1.0, 1.0]]);
         SurfaceOfRevolution::about_x(&plane, b).map_or(true, |t| any(&t, a, b))
     }),
-    ("control_box", |s, a, b| is_box(s.control_box())),
+    ("control_box", |s, _, _| is_box(s.control_box())),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
     ("half_turn_parameter", |_, a, _| {
         half_turn_parameter(a).is_nan()
