@@ -145,7 +145,7 @@ impl<'t> Writer<'t> {
     /// Whether a token begins a line.
     fn starts_line(&self, k: usize) -> bool {
         let Some(before) = self.previous(k) else { return true };
-        if self.lines.last().is_some_and(|line| line.comment.is_some()) {
+        if self.follows_comment(k) {
             return true;
         }
         let last = self.word(before);
@@ -157,6 +157,11 @@ impl<'t> Writer<'t> {
             "}" => broken && self.word(k) != ";",
             _ => self.breaks(k) > 0 && !matches!(self.word(k), ";" | ","),
         }
+    }
+
+    /// Whether a comment stands before a token that goes on to the end of its line.
+    fn follows_comment(&self, k: usize) -> bool {
+        k > 0 && self.word(k - 1).starts_with("//")
     }
 
     /// Whether an empty line stands before a token: one that the author left, or between items.
@@ -193,7 +198,7 @@ impl<'t> Writer<'t> {
         let (broken, indent) = open.as_ref().map_or((false, 0), |open| (open.broken, open.indent));
         let block = open.is_some_and(|open| open.block);
         let word = self.word(k);
-        let after_comment = self.lines.last().is_some_and(|line| line.comment.is_some());
+        let after_comment = self.follows_comment(k);
         let empty = self.tokens[k].partner == k.checked_sub(1);
         if after_comment || broken && (block || self.breaks(k) > 0) {
             self.line(false, indent);
@@ -433,6 +438,12 @@ mod tests {
         );
         formatted("family F { // a\n b[0] = 1 // no semicolon\n + 2; /* x\n   y */ }\n/* c */ family G {}");
         formatted("x /* a */\n/* b\n */ y // c");
+        // What follows after a line of its own does not become part of it.
+        let text = "family F {\n    let c = 1\n        // a\n        ;\n    b[0] = (c\n        // b\n    );\n}\n";
+        assert_eq!(formatted(text), text);
+        formatted(
+            "family F { b[0] = [1\n// a\n, 2\n// b\n]\n// c\n; prove at t = 0\n// d\n{ b = 1\n// e\n}\n// f\n}",
+        );
     }
 
     /// Comments may stand between any two tokens.
