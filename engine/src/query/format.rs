@@ -439,7 +439,8 @@ mod tests {
         formatted("family F { // a\n b[0] = 1 // no semicolon\n + 2; /* x\n   y */ }\n/* c */ family G {}");
         formatted("x /* a */\n/* b\n */ y // c");
         // What follows after a line of its own does not become part of it.
-        let text = "family F {\n    let c = 1\n        // a\n        ;\n    b[0] = (c\n        // b\n    );\n}\n";
+        let text =
+            "family F {\n    let c = 1\n        // a\n        ;\n    b[0] = (c\n        // b\n    );\n}\n";
         assert_eq!(formatted(text), text);
         formatted(
             "family F { b[0] = [1\n// a\n, 2\n// b\n]\n// c\n; prove at t = 0\n// d\n{ b = 1\n// e\n}\n// f\n}",
