@@ -210,29 +210,23 @@ fn accepted(
     certificate: &dyn Fn(SignProof) -> Certificate,
     budget: u32,
 ) -> Result<Shown, Left> {
-    let mut left_out: Vec<Method> = Vec::new();
-    let mut refused: Option<Failure> = None;
+    let mut refused: Vec<(Method, Failure)> = Vec::new();
     loop {
         let all = Budget::scaled(budget);
-        let mut own = left_out.iter().fold(all, |budget, method| budget.without(*method));
+        let mut own = refused.iter().fold(all, |budget, (method, _)| budget.without(*method));
         let found = search(p, relation, region, &mut own);
         drop(own); // what it took counts before the check does
-        let (method, proof) = match found {
-            Found::Proof(method, proof) if !left_out.contains(&method) => (method, proof),
-            other => {
-                return Err(match (refused, other) {
-                    (Some(failure), _) => Left::Refused(failure),
-                    (None, Found::Point(point)) => Left::Point(point),
-                    (None, Found::Nothing(left)) => Left::Nothing(left),
-                    (None, Found::Proof(..)) => Left::Nothing(String::new()), // no method is left out
-                });
+        match found {
+            Found::Proof(method, proof) if refused.iter().all(|(known, _)| *known != method) => {
+                match propose(statement, certificate(proof), method, budget) {
+                    Ok(shown) => return Ok(shown),
+                    Err(failure) => refused.push((method, failure)),
+                }
             }
-        };
-        match propose(statement, certificate(proof), method, budget) {
-            Ok(shown) => return Ok(shown),
-            Err(failure) => refused = refused.or(Some(failure)),
+            Found::Point(point) if refused.is_empty() => return Err(Left::Point(point)),
+            Found::Nothing(left) if refused.is_empty() => return Err(Left::Nothing(left)),
+            _ => return Err(Left::Refused(refused.swap_remove(0).1)),
         }
-        left_out.push(method);
     }
 }
 

@@ -105,7 +105,7 @@ pub fn decide(subject: &Subject, claim: &Claim) -> Verdict {
     };
     match verdict {
         // These go without saying.
-        Verdict::Proved(evidence) if evidence.ways().iter().all(|way| *way == family::premises::AWAY) => {
+        Verdict::Proved(evidence) if family::premises::are_first(evidence.ways()) => {
             Verdict::Proved(evidence.by(Vec::new()))
         }
         other => other,

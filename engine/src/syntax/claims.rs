@@ -231,16 +231,7 @@ fn exceptions(input: ParseStream<'_>, before: proc_macro2::Span) -> Result<Vec<V
     if input.peek(Token![;]) {
         return Err(error(before, "`except` without a value", "write `except λ = -3`"));
     }
-    if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis)
-        && input
-            .cursor()
-            .ident()
-            .is_none_or(|(_, after)| after.punct().is_none_or(|(p, _)| p.as_char() == ';'))
-        && !matches!(
-            input.cursor().ident().and_then(|(_, after)| after.token_tree()),
-            Some((TokenTree::Group(_), _))
-        )
-    {
+    if !begins_exception(input) {
         let found = unexpected(input, "the name of a parameter with its value").to_string();
         return Err(error(
             input.span(),
@@ -271,6 +262,18 @@ fn exceptions(input: ParseStream<'_>, before: proc_macro2::Span) -> Result<Vec<V
             return Ok(all);
         }
         input.parse::<Token![,]>()?;
+    }
+}
+
+/// Whether `λ = …`, `λ[1] = …` or `(…)` seems to follow.
+fn begins_exception(input: ParseStream<'_>) -> bool {
+    match input.cursor().token_tree() {
+        Some((TokenTree::Group(g), _)) => g.delimiter() == Delimiter::Parenthesis,
+        Some((TokenTree::Ident(_), after)) => match after.token_tree() {
+            Some((TokenTree::Punct(sign), _)) => sign.as_char() != ';',
+            next => matches!(next, Some((TokenTree::Group(_), _))),
+        },
+        _ => false,
     }
 }
 
@@ -402,7 +405,7 @@ pub(super) fn assumption(input: ParseStream<'_>) -> Result<Relation> {
     let left = expr(&ahead)?;
     if comparison(&ahead)?.is_none() {
         let found = unexpected(&ahead, "`<=`, `>=`, `<`, `>` or `=`").to_string();
-        let help = if at_word(input, "parallel") {
+        let help = if at_word(&ahead, "parallel") {
             "assumptions are about scalars; a point is determined by `let Q[1] = P[3] + δ*(P[3] - P[2]);`"
         } else {
             "write what is assumed as an inequality, `assume α + β <= 1;`, or a linear equation"

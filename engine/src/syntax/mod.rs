@@ -3,6 +3,7 @@
 //! The tree says what was written, not what it means; meaning is the business of `model`.
 
 mod claims;
+mod ending;
 mod error;
 mod expr;
 mod glyphs;

@@ -6,8 +6,7 @@ use syn::{Error, Result};
 
 use super::error::error;
 use super::expr::{expr, loops};
-use super::statements::DECIMAL_POINT;
-use super::tokens::comparison;
+use super::tokens::{DECIMAL_POINT, comparison};
 use super::words::{at_word, text_of};
 use super::{Bounds, Comparison, Expr, ExprKind, Limit, Name, RangeDecl, ShapeDecl};
 
@@ -18,7 +17,7 @@ pub(super) const SHAPE_HELP: &str =
 /// A range as papers write it: `0 <= t <= 1`, `0 < λ`, `λ >= -2`, or a name alone for all real numbers.
 pub(super) fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
     let Bounds { target, low, high } = bounds(input, help)?;
-    let ExprKind::Name(text) = target.kind else { return Err(no_target(target.span, help)) };
+    let ExprKind::Name(text) = target.kind else { return Err(no_name(target.span, help)) };
     Ok(RangeDecl { name: Name { text, span: target.span }, low, high })
 }
 
@@ -28,10 +27,8 @@ pub(super) fn shapes(input: ParseStream<'_>) -> Result<ShapeDecl> {
     let (parts, included) = chain(input, help)?;
     if !parts.iter().any(|part| part.named().is_some()) {
         let part = parts.get(usize::from(parts.len() > 2)).unwrap_or(&parts[0]);
-        if let [Expr { kind: ExprKind::Number(_), .. }] = parts[..] {
-            return Err(no_target(part.span, &format!("{help}; {DECIMAL_POINT}")));
-        }
-        return Err(no_target(part.span, help));
+        let of_two = parts.len() > 1;
+        return Err(if of_two { no_name(part.span, help) } else { no_target(part, help) });
     }
     Ok(ShapeDecl { parts, included, loops: loops(input)? })
 }
@@ -47,10 +44,7 @@ pub(super) fn bounds(input: ParseStream<'_>, help: &str) -> Result<Bounds> {
             let help = "a triangle has barycentric coordinates, whose sum is 1: `domain triangle (u, v, w);`; parameters with a sum are `assume α + β <= 1;`";
             Err(error(e.span, message, help))
         }
-        None if matches!(e.kind, ExprKind::Number(_)) => {
-            Err(no_target(e.span, &format!("{help}; {DECIMAL_POINT}")))
-        }
-        None => Err(no_target(e.span, help)),
+        None => Err(no_target(&e, help)),
     };
     let limit = |value, included: &bool| Some(Limit { value, included: *included });
     let mut parts = parts.into_iter();
@@ -174,6 +168,14 @@ fn is_triangle(target: &Expr) -> bool {
     matches!(&target.kind, ExprKind::Sum(terms) if terms.iter().all(|(_, term)| matches!(term.kind, ExprKind::Name(_))))
 }
 
-fn no_target(span: Span, help: &str) -> Error {
+/// The error for an expression without a name; a number alone may be the second half of `0,5`.
+fn no_target(found: &Expr, help: &str) -> Error {
+    match found.kind {
+        ExprKind::Number(_) => no_name(found.span, &format!("{help}; {DECIMAL_POINT}")),
+        _ => no_name(found.span, help),
+    }
+}
+
+fn no_name(span: Span, help: &str) -> Error {
     error(span, "expected the name whose range this is", help)
 }

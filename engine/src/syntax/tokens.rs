@@ -82,6 +82,9 @@ pub(super) fn name(input: ParseStream<'_>) -> Result<Name> {
     Ok(Name { text: text.chars().map(plain).collect(), span: ident.span() })
 }
 
+/// What to write for `0,5`.
+pub(super) const DECIMAL_POINT: &str = "a number has a decimal point: write `0.5`";
+
 /// The letter that a character of the block for formulas stands for, such as λ for 𝜆: what is pasted from a PDF has them, and
 /// they look like the plain ones.
 fn letter_of_formulas(c: char) -> Option<char> {

@@ -33,16 +33,10 @@ impl Scope<'_> {
         self.error(expr.span, format!("{what} must be a number")).label("this contains a variable")
     }
 
-    /// The number that an argument of `min` or `max` is.
+    /// The number that an argument of `min`, `max`, `floor` or `ceil` is.
     pub(crate) fn compared_number(&mut self, expr: &Expr, function: &str) -> Option<Rational> {
-        let value = self.scalar(expr)?.as_constant();
-        if value.is_none() {
-            let error = self.no_number(expr, &format!("an argument of `{function}`"));
-            self.report(error.help(
-                "on parts of the domain a function is given in spans, `domain 0 <= t <= 1/2, 1/2 <= t <= 1; b[0] = 1 - t | t;`",
-            ));
-        }
-        value
+        let help = "on parts of the domain a function is given in spans, `domain 0 <= t <= 1/2, 1/2 <= t <= 1; b[0] = 1 - t | t;`";
+        self.number_or(expr, &format!("an argument of `{function}`"), help)
     }
 
     /// The whole number that an expression is; reports anything else.

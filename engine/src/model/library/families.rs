@@ -204,13 +204,13 @@ impl Library<'_> {
     /// The families of the spec that was asked for, with their claims; families with errors are left out.
     pub fn items(&self, selected: Selected) -> Vec<Item> {
         let mut items = Vec::new();
-        let mut seen: Vec<&str> = Vec::new();
         for family in self.families_of(MAIN) {
-            // Of two with one name, which is an error, the first one is meant.
-            if seen.contains(&family.name.text.as_str()) {
+            // Of two with one name, which is an error, the one that the name stands for.
+            let unit = &self.units[MAIN];
+            let meant = unit.position(&family.name.text).and_then(|position| unit.family(position));
+            if meant.is_none_or(|meant| !core::ptr::eq(meant, family)) {
                 continue;
             }
-            seen.push(&family.name.text);
             if selected == Selected::WithoutOrder && !family.orders.is_empty() {
                 continue;
             }

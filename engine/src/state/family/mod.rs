@@ -475,7 +475,7 @@ fn proved_by_later_ways(family: &Family, claim: &Claim) -> Option<Verdict> {
     let mut ways = Vec::new();
     let said = said(family, claim, &mut Saying::Tried(&mut ways))?;
     // By the first ways these are the statements that are not proved.
-    if ways.iter().all(|way| *way == premises::AWAY) {
+    if premises::are_first(&ways) {
         return None;
     }
     let stated = said.into_iter().map(|s| s.stated).listed();

@@ -238,8 +238,8 @@ fn own_verdict(theorem: &Theorem, claim: &Claim, factor: Option<&str>) -> Verdic
                         let mut ways = Vec::new();
                         let later = parts::enough(stated, &mut |s| premises::tried(s, &mut ways));
                         // By the first ways these are the same statements.
-                        let same = ways.iter().all(|way| *way == premises::AWAY);
-                        let shown = if same { None } else { all(later, theorem.budget).ok() };
+                        let shown =
+                            if premises::are_first(&ways) { None } else { all(later, theorem.budget).ok() };
                         shown
                             .map_or(Verdict::Undecided(left), |shown| Verdict::Proved(proved(shown).by(ways)))
                     }

@@ -401,20 +401,21 @@ fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, St
         '$' => ("leave it out: formulas stand without marks around them", ""),
         '\u{1d7ce}'..='\u{1d7ff}' => ("write the digit of the keyboard", ""),
         '`' | '\0' => ("remove it", ""),
-        '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2064}' | '\u{feff}' => {
-            ("it is invisible: remove it", "")
-        }
+        c if is_invisible(c) => ("it is invisible: remove it", ""),
         _ if c.is_alphanumeric() || c.is_whitespace() || is_name_part(c) => return None,
         _ => ("names are letters and digits; operators are `+ - * / ^`", ""),
     };
-    let invisible =
-        |c: char| matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2064}' | '\u{feff}');
-    let shown = if c.is_whitespace() || c.is_control() || invisible(c) {
+    let shown = if c.is_whitespace() || c.is_control() || is_invisible(c) {
         format!("U+{:04X}", c as u32)
     } else {
         format!("`{c}`")
     };
     Some((format!("the character {shown} is not allowed in a spec"), help.to_string(), instead.to_string()))
+}
+
+/// Whether a character is one that nobody sees: a soft hyphen, spaces and signs without width, the mark at the beginning of a file.
+const fn is_invisible(c: char) -> bool {
+    matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2064}' | '\u{feff}')
 }
 
 /// Whether Rust allows the character inside a name although it is neither letter nor digit.

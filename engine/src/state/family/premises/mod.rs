@@ -48,7 +48,7 @@ const MAX_TRIED: usize = 12;
 const TRIED: u64 = 4_000_000;
 
 /// The number of the first way; those of the others follow.
-pub(in crate::state) const AWAY: usize = 100;
+const AWAY: usize = 100;
 
 /// Whether a statement about a sign has premises: then the way away from them has a number.
 fn is_assumed(statement: &Statement) -> bool {
@@ -61,10 +61,25 @@ type Accept<'a> = dyn FnMut(Vec<Statement>) -> bool + 'a;
 /// What is enough for a statement about a sign to hold where its premises do, by the first way; `None` if it does not need
 /// them, or seems to be false, or no multiple of a premise is found to help.
 pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>> {
-    first(&mut |accept| {
-        ways(statement, &mut |_, enough| accept(enough));
-        true
-    })
+    by(statement, 0)
+}
+
+/// The same by the way with a number.
+fn by(statement: &Statement, way: usize) -> Option<Vec<Statement>> {
+    let mut found = None;
+    ways(statement, &mut |number, enough| {
+        let is_it = number == way;
+        if is_it {
+            found = Some(enough);
+        }
+        is_it
+    });
+    found
+}
+
+/// Whether these are the numbers of first ways alone.
+pub(in crate::state) fn are_first(numbers: &[usize]) -> bool {
+    numbers.iter().all(|number| *number == AWAY)
 }
 
 /// The same, and the number of the way is noted.
@@ -83,15 +98,7 @@ pub(in crate::state) fn by_next(
     let next = given.as_slice().first().and_then(|number| number.checked_sub(AWAY));
     let Some(way) = next.filter(|_| is_assumed(statement)) else { return without(statement) };
     given.next();
-    let mut found = None;
-    ways(statement, &mut |number, enough| {
-        let is_it = number == way;
-        if is_it {
-            found = Some(enough);
-        }
-        is_it
-    });
-    found
+    by(statement, way)
 }
 
 /// The same by the first way that leads to a proof, of which the number is noted; where none does, by the first of all.

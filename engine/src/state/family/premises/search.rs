@@ -73,11 +73,10 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     let directions = directions(moving.len());
     let slopes = Slopes::new(value, domain, &moving);
     let finest = if moving.len() <= 2 { 28 } else { 14 };
-    let mut lowest = first.clone();
-    for (number, start) in [first].into_iter().chain(others).enumerate() {
+    // From a point downhill in smaller and smaller steps.
+    let downhill = |start: Vec<Rational>| {
         let (mut point, mut least) = (start, least_of_all.clone());
         let mut step = Rational::new(1, 16);
-        // Downhill in smaller and smaller steps.
         let mut tries = 0;
         while tries < MAX_TRIES && relation.holds(&least) {
             let mut lower = None;
@@ -113,11 +112,16 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
                 None => step = &step * &Rational::new(1, 2),
             }
         }
-        if !relation.holds(&least) {
+        Some((relation.holds(&least), point))
+    };
+    let (holds, lowest) = downhill(first)?;
+    if !holds {
+        return at(&lowest, work);
+    }
+    for start in others {
+        let (holds, point) = downhill(start)?;
+        if !holds {
             return at(&point, work);
-        }
-        if number == 0 {
-            lowest = point;
         }
     }
     touching::counterexample(&Rc::new(statement.clone()), &ranges, &lowest, work)
