@@ -7,8 +7,8 @@
 pub mod v1 {
     pub use crate::__private::{
         affine_bernstein, bernstein, box_sum, check_end, check_point, check_reach, check_reach_below,
-        check_shape, combine, cut_off, end_points, multinomials, powers, raise_weights, simplex_sum, table,
-        tan, tan_complement, tanh, tanh_complement, unit,
+        check_shape, combine, cut_off, end_points, inverse_power_of_two, multinomials, powers, raise_weights,
+        simplex_sum, table, tan, tan_complement, tanh, tanh_complement, unit,
     };
 }
 

@@ -12,6 +12,7 @@ use crate::curve::{End, eliminate};
 pub use crate::domain::unit;
 use crate::form::{affine_nested, nested};
 use crate::numeric::binomial::binomials;
+pub use crate::numeric::elementary::inverse_power_of_two;
 #[cfg(feature = "serde")]
 pub use crate::serialize::{read_shape, shape_error, write_shape};
 use crate::simplex::SimplexIndex;
@@ -164,11 +165,10 @@ pub fn cut_off<S: Scalar>(x: S) -> S {
     if x < S::ZERO { S::ZERO } else { x }
 }
 
-/// The tangent.
+/// The tangent of a multiple of a shape value.
 #[inline]
 pub fn tan<S: Scalar>(x: S) -> S {
-    let (sin, cos) = x.sin_cos();
-    sin / cos
+    S::narrow(tangent(x.wide()))
 }
 
 /// 1 minus the tangent, without the difference: `tan(π/4 - x) (1 + tan x)`.
@@ -176,25 +176,31 @@ pub fn tan<S: Scalar>(x: S) -> S {
 pub fn tan_complement<S: Scalar>(x: S) -> S {
     use core::f64::consts::FRAC_PI_4;
     // π/4 is the sum of a float and of what is missing to it.
-    let quarter = S::of(FRAC_PI_4);
-    let rest = S::of(FRAC_PI_4 - quarter.to_f64() + 3.061_616_997_868_383e-17);
-    tan((quarter - x) + rest) * (S::ONE + tan(x))
+    let (x, quarter) = (x.wide(), S::Wide::of(FRAC_PI_4));
+    let rest = S::Wide::of(FRAC_PI_4 - quarter.to_f64() + 3.061_616_997_868_383e-17);
+    S::narrow(tangent((quarter - x) + rest) * (S::Wide::ONE + tangent(x)))
+}
+
+#[inline]
+fn tangent<S: Scalar>(x: S) -> S {
+    let (sin, cos) = x.sin_cos();
+    sin / cos
 }
 
 /// The hyperbolic tangent.
 #[inline]
 pub fn tanh<S: Scalar>(x: S) -> S {
-    let two = S::of(2.0);
-    let grown = (-(two * x.abs())).exp_m1();
-    let size = -grown / (two + grown);
+    let (two, size) = (S::Wide::of(2.0), x.abs().wide());
+    let grown = (-(two * size)).exp_m1();
+    let size = S::narrow(-grown / (two + grown));
     if x < S::ZERO { -size } else { size }
 }
 
 /// 1 minus the hyperbolic tangent, without the difference.
 #[inline]
 pub fn tanh_complement<S: Scalar>(x: S) -> S {
-    let two = S::of(2.0);
-    two / (two + (two * x).exp_m1())
+    let two = S::Wide::of(2.0);
+    S::narrow(two / (two + (two * x.wide()).exp_m1()))
 }
 
 /// The powers `[1, x, x², …, x^(M-1)]`.

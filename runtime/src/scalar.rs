@@ -116,8 +116,20 @@ mod sealed {
         /// A number whose neighbours are at distance 1.
         const TO_WHOLE: Self;
 
+        /// The numbers in which coordinates and what depends on shape values only are computed, as they count in every value and
+        /// to a high power: with `std` those of double precision. Without it those of the type itself; small processors
+        /// have no others.
+        type Wide: super::Scalar;
+        /// The same number.
+        fn wide(self) -> Self::Wide;
+        /// The nearest number of this type.
+        fn narrow(wide: Self::Wide) -> Self;
+
         /// `2^k` of the sum of `k` and [`TO_WHOLE`](Self::TO_WHOLE), if it has all its digits.
         fn power_of_two(self) -> Self;
+
+        /// The power of two by which a positive number becomes one from 1 to 2, or the nearest to it that is a float.
+        fn inverse_power_of_two(self) -> Self;
     }
 
     impl Sealed for f32 {
@@ -132,11 +144,32 @@ mod sealed {
         const LOG2_E: Self = core::f32::consts::LOG2_E;
         const TO_WHOLE: Self = 12_582_912.0; // 3/2 2²³
 
+        #[cfg(feature = "std")]
+        type Wide = f64;
+        #[cfg(not(feature = "std"))]
+        type Wide = Self;
+
+        #[inline]
+        fn wide(self) -> Self::Wide {
+            Self::Wide::from(self)
+        }
+
+        #[inline]
+        fn narrow(wide: Self::Wide) -> Self {
+            wide as Self
+        }
+
         #[inline(always)]
         #[allow(clippy::inline_always)]
         fn power_of_two(self) -> Self {
             // The last bits of the mantissa are k, which belongs where the exponent of 1 is.
             Self::from_bits((self.to_bits() << 23).wrapping_add(1.0_f32.to_bits()))
+        }
+
+        #[inline]
+        fn inverse_power_of_two(self) -> Self {
+            let exponent = (self.to_bits() >> 23) & 255;
+            Self::from_bits(254_u32.saturating_sub(exponent).max(1) << 23)
         }
     }
 
@@ -172,10 +205,28 @@ mod sealed {
         const LOG2_E: Self = core::f64::consts::LOG2_E;
         const TO_WHOLE: Self = 6_755_399_441_055_744.0; // 3/2 2⁵²
 
+        type Wide = Self;
+
+        #[inline]
+        fn wide(self) -> Self {
+            self
+        }
+
+        #[inline]
+        fn narrow(wide: Self) -> Self {
+            wide
+        }
+
         #[inline(always)]
         #[allow(clippy::inline_always)]
         fn power_of_two(self) -> Self {
             Self::from_bits((self.to_bits() << 52).wrapping_add(1.0_f64.to_bits()))
+        }
+
+        #[inline]
+        fn inverse_power_of_two(self) -> Self {
+            let exponent = (self.to_bits() >> 52) & 2047;
+            Self::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
         }
     }
 }

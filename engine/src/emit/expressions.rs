@@ -137,6 +137,9 @@ fn expression<'a>(
         Step::Unless(a, b, c) => {
             (language.unless(&[*a, *b, *c].map(|k| within(k, first_factor))), Form::Call)
         }
+        Step::Less(a, b, c, d) => {
+            (language.less(&[*a, *b, *c, *d].map(|k| within(k, first_factor))), Form::Call)
+        }
         Step::CutOff(a) => (language.cut_off(&texts[*a].value.text), Form::Call),
     };
     let depends = |which: fn(&Value) -> bool| step.operands().iter().any(|k| which(&texts[*k].value));
@@ -197,6 +200,9 @@ mod tests {
             panic!("{function:?} is not written here")
         }
         fn unless(&self, parts: &[String; 3]) -> String {
+            panic!("{parts:?} is not written here")
+        }
+        fn less(&self, parts: &[String; 4]) -> String {
             panic!("{parts:?} is not written here")
         }
         fn cut_off(&self, name: &str) -> String {

@@ -128,6 +128,10 @@ impl Printer<'_> {
                 let a = self.code(*a);
                 quote_spanned!(site()=> #runtime::__private::cut_off(#a))
             }
+            Node::InversePowerOfTwo(a) => {
+                let a = self.code(*a);
+                quote_spanned!(site()=> #runtime::__private::inverse_power_of_two(#a))
+            }
             Node::List(all) => {
                 let all = self.codes(all);
                 quote_spanned!(site()=> [#(#all),*])

@@ -121,6 +121,8 @@ pub enum Node {
     },
     /// a, or 0 where a is negative: the value of something that is proved to be nonnegative.
     CutOff(Ref),
+    /// The power of two by which a positive number becomes one from 1 to 2.
+    InversePowerOfTwo(Ref),
     /// Several numbers.
     List(Vec<Ref>),
     /// An element of a pair or a list.

@@ -170,7 +170,7 @@ impl Builder {
                 }
             }
         }
-        let piece = match self.by_distances(&rest) {
+        let piece = match self.by_distances(&rest).or_else(|| self.beside_corner(&rest)) {
             Some(value) => Piece { negative: false, value },
             None => self.sum(&rest),
         };
@@ -184,6 +184,38 @@ impl Builder {
             factors.push(self.number(content));
         }
         self.product(&factors)
+    }
+
+    /// A polynomial of degree 1 in several variables that is 0 where each of these is at an end of its range, and has one sign
+    /// beside: by the distances from there, as 2 + m + n = (1 + m) + (1 + n) for m, n ≥ −1, which has digits there.
+    fn beside_corner(&mut self, poly: &Poly) -> Option<Ref> {
+        if poly.total_degree() != 1 || poly.variables().len() < 2 {
+            return None;
+        }
+        let (is_positive, terms) =
+            [true, false].into_iter().find_map(|sign| Some((sign, self.distances_of(poly, sign)?)))?;
+        let mut sum: Option<Ref> = None;
+        for (c, value, end, from_low) in terms {
+            let (distance, factor) = (self.distance(value, &end, from_low), self.number(c));
+            let term = self.times(factor, distance);
+            sum = Some(sum.map_or(term, |sum| self.push(Node::Sum(sum, term))));
+        }
+        sum.map(|sum| if is_positive { sum } else { self.neg(sum) })
+    }
+
+    /// The distances whose sum with these positive factors a linear polynomial is, or the sum with the other sign: of each
+    /// variable from the end, and whether that is the lower one.
+    fn distances_of(&self, poly: &Poly, is_positive: bool) -> Option<Vec<(Rational, Ref, Rational, bool)>> {
+        let (mut rest, mut terms) = (poly.clone(), Vec::new());
+        for (monomial, c) in poly.terms().filter(|(monomial, _)| monomial.total_degree() == 1) {
+            let own = |v: &&Variable| v.is_given && monomial.exponent(v.var) == 1;
+            let Variable { var, range, value, .. } = self.variables.iter().find(own)?;
+            let from_low = c.is_positive() == is_positive;
+            let end = if from_low { range.low.value() } else { range.high.value() }?;
+            rest = &rest - &(&Poly::var(*var) - &Poly::constant(end.clone())).scale(c);
+            terms.push((c.abs(), *value, end.clone(), from_low));
+        }
+        rest.is_zero().then_some(terms)
     }
 
     /// A polynomial that is 0 at a corner of its tangents: by the distances from the ends of the range of one of these, see

@@ -145,7 +145,9 @@ impl Builder {
         let of = |at: &Ref| &known[at.position()];
         match self.node(at) {
             // Those of a simplex, or on a chart; the parameter of an interval stands in units only.
-            Node::Input(Input::Coordinate(_)) | Node::CutOff(_) => Interval::NONNEGATIVE,
+            Node::Input(Input::Coordinate(_)) | Node::CutOff(_) | Node::InversePowerOfTwo(_) => {
+                Interval::NONNEGATIVE
+            }
             Node::Input(_)
                 if self.variables.iter().any(|v| {
                     [v.complement, v.rise].iter().flatten().any(|c| c.position() == at.position())

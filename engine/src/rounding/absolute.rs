@@ -169,7 +169,9 @@ fn size(
                 let inverse = Fraction::constant(Rational::ONE).div_within(&exact.value(*b, work)?, work);
                 size(a)? * &bounded(&inverse.ok()??, conditions, work)?
             }
-            Step::Input(_) | Step::Constant(_) | Step::Call(..) | Step::Unless(..) => return None,
+            Step::Input(_) | Step::Constant(_) | Step::Call(..) | Step::Unless(..) | Step::Less(..) => {
+                return None;
+            }
         };
         sizes[k] = Some(here);
     }

@@ -11,8 +11,8 @@
 //! The numbers w are sums of what is assumed of elementary functions, [`ULP`], of the roundings, and of relative errors of
 //! arguments times |d ln f/d ln a|, which is at most
 //!
-//! - 1 for sin a, |a| ≤ 2, and for exp(−2a) − 1, a ≥ 0;
-//! - |a tan a| for cos a, |2a| for exp(2a);
+//! - 1 for sin a, |a| ≤ 2, and for exp(−2a) − 1, a ≥ 0; 1 + 2a for exp(2a) − 1;
+//! - |a tan a| for cos a, |2a| for exp(−2a);
 //! - 1 + tan² a for tan a, and π/2 for |a| ≤ π/4.
 //!
 //! What is of higher order in them is less than w² 2⁻²⁰ u. They hold for the steps and for `Chart` of the runtime, which
@@ -28,7 +28,7 @@ use crate::model::{Family, Parameter};
 use crate::plan::Input;
 use crate::plan::interval::form::RationalForm;
 use crate::plan::interval::rational;
-use crate::steps::{Builder, Function, Step, Steps, elementary, lower};
+use crate::steps::{Builder, Function, Step, Steps, elementary};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// How many u the sine, cosine, exponential and `exp_m1` of the standard library of a language are off: one unit in the last
@@ -100,10 +100,11 @@ impl OnCoordinates {
 
 /// The values of all functions from the coordinates s and x and the tangents of shape parameters.
 fn values(family: &Family, form: &RationalForm) -> Steps {
+    let mut builder = Builder::without_scales();
     if !form.is_tabulated {
-        return lower(&rational::values(family, form));
+        let outputs = builder.plan(&rational::values(family, form));
+        return builder.finish(&outputs);
     }
-    let mut builder = Builder::default();
     let entries = builder.plan(&rational::numerators(family, form));
     let count = form.numerators.len().max(1);
     let [s, x] = [0, 1].map(|k| builder.input(Input::Coordinate(k)));
@@ -244,13 +245,14 @@ fn circular(angle: &Angle, ends: &[End; 2]) -> Option<[Rational; 2]> {
         _ => return None,
     }
     let is_exact = is_power_of_two(&angle.speed());
+    // A cosine times a power of two, with the product.
     let factor = |end: &Option<Rational>| match end {
-        Some(end) if end.is_zero() => Some(u(1)),
+        Some(end) if end.is_zero() => Some(u(0)),
         Some(end) => Some(&of_cosine(end)? + &u(ULP + 1)),
         None => is_exact.then(|| u(ULP + 1)),
     };
     let [after, before] = arguments(angle, ends);
-    Some([&u(before + ULP + 1) + &factor(&of_ends[0])?, &u(after + ULP + 1) + &factor(&of_ends[1])?])
+    Some([&u(before + ULP) + &factor(&of_ends[0])?, &u(after + ULP) + &factor(&of_ends[1])?])
 }
 
 /// A bound of |ψ tan ψ|.
@@ -262,25 +264,23 @@ fn of_cosine(psi: &Rational) -> Option<Rational> {
     Some(&product.abs() + &rest::unit())
 }
 
-/// s = (1 − exp(−2b)) exp(−2a)·(1 + exp(−2ψ0)), x = (1 − exp(−2a))·(1 + exp(−2ψ1)), up to a common factor.
+/// s = (1 − exp(−2b))·(1 + exp(−2ψ0)), x = (exp(2a) − 1)·(1 + exp(−2ψ1)), up to a common factor.
 fn hyperbolic(angle: &Angle, ends: &[End; 2]) -> Option<[Rational; 2]> {
     let of_ends = ends.each_ref().map(|end| end.known.as_ref().map(|end| turn(angle, end)));
     let is_exact = is_power_of_two(&angle.speed());
-    // 2 + e, e = exp(−2ψ) − 1, divided
+    // 2 + e, e = exp(−2ψ) − 1, times a power of two, with the product
     let factor = |end: &Option<Rational>| match end {
-        Some(end) if end.is_zero() => Some(u(1)),
+        Some(end) if end.is_zero() => Some(u(0)),
         Some(end) => Some(&u(ULP + 2) + &(&end.abs() * &u(2))),
         None => is_exact.then(|| u(ULP + 2)),
     };
     let [after, before] = arguments(angle, ends);
-    // 1/(1 + e), e = exp(2a) − 1
-    let mut falls = u(ULP + 2);
+    let mut risen = u(after + ULP);
     if after > 0 {
         let [Some(low), Some(high)] = &of_ends else { return None };
-        falls += &(&(high - low) * &u(2 * after));
+        risen += &(&(high - low) * &u(2 * after));
     }
-    let s = &(&u(before + ULP + 2) + &falls) + &factor(&of_ends[0])?;
-    Some([s, &u(after + ULP + 1) + &factor(&of_ends[1])?])
+    Some([&u(before + ULP) + &factor(&of_ends[0])?, &risen + &factor(&of_ends[1])?])
 }
 
 /// The distances from both ends, divided by the width; their sum is 1, so that the width counts.
@@ -311,7 +311,7 @@ fn is_homogeneous(steps: &Steps) -> bool {
             },
             Step::Mul(a, b) => of(a).zip(of(b)).map(|(a, b)| a + b),
             Step::Div(a, b) => of(a).zip(of(b)).map(|(a, b)| a - b),
-            Step::Call(..) | Step::Unless(..) => return false,
+            Step::Call(..) | Step::Unless(..) | Step::Less(..) => return false,
         });
     }
     steps.outputs.iter().all(|output| degrees[*output].is_none_or(|degree| degree == 0))

@@ -83,7 +83,7 @@ impl<'a> Exact<'a> {
                 Step::Sub(a, b) => of(a)?.sub_within(&of(b)?, work)?,
                 Step::Mul(a, b) => of(a)?.mul_within(&of(b)?, work)?,
                 Step::Div(a, b) => of(a)?.div_within(&of(b)?, work).ok()??,
-                Step::Call(..) | Step::Unless(..) => return None,
+                Step::Call(..) | Step::Unless(..) | Step::Less(..) => return None,
             };
             self.values[k] = Some(value);
         }
@@ -100,7 +100,7 @@ impl<'a> Exact<'a> {
                 (self.is_power(*a) && self.is_exact(*b)) || (self.is_power(*b) && self.is_exact(*a))
             }
             Step::Div(a, b) => self.is_power(*b) && self.is_exact(*a),
-            Step::Add(..) | Step::Sub(..) | Step::Call(..) | Step::Unless(..) => false,
+            Step::Add(..) | Step::Sub(..) | Step::Call(..) | Step::Unless(..) | Step::Less(..) => false,
         }
     }
 
@@ -216,7 +216,7 @@ impl<'a> Exact<'a> {
                     }
                     add(&mut weights, *a, w, work)?;
                 }
-                Step::Call(..) | Step::Unless(..) => return None,
+                Step::Call(..) | Step::Unless(..) | Step::Less(..) => return None,
             }
         }
         Some(shares)
@@ -266,7 +266,7 @@ impl<'a> Exact<'a> {
             depths[k] = match self.step(k) {
                 _ if self.is_exact(k) => Rational::ZERO,
                 Step::Input(_) => self.weight(k),
-                Step::Constant(_) | Step::Call(..) | Step::Unless(..) => Rational::ONE,
+                Step::Constant(_) | Step::Call(..) | Step::Unless(..) | Step::Less(..) => Rational::ONE,
                 Step::Neg(a) | Step::CutOff(a) => depths[*a].clone(),
                 Step::Add(a, b) | Step::Sub(a, b) => &larger(*a, *b) + &Rational::ONE,
                 Step::Mul(a, b) => &(&depths[*a] + &depths[*b]) + &Rational::ONE,

@@ -214,7 +214,9 @@ fn size(exact: &mut Exact<'_>, of: usize, conditions: &mut Conditions<'_>, work:
                 let divisor = exact.value(*b, work)?.as_constant()?;
                 size(a)?.scale(&divisor.abs().recip()?)
             }
-            Step::Input(_) | Step::Constant(_) | Step::Call(..) | Step::Unless(..) => return None,
+            Step::Input(_) | Step::Constant(_) | Step::Call(..) | Step::Unless(..) | Step::Less(..) => {
+                return None;
+            }
         };
         sizes[k] = Some(here);
     }

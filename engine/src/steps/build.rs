@@ -13,6 +13,7 @@ pub struct Builder {
     places: SortedMap<Step, usize>,
     names: Vec<(usize, String)>,
     folds_all: bool,
+    ignores_scales: bool,
 }
 
 impl Builder {
@@ -20,6 +21,11 @@ impl Builder {
     /// float has: for numbers that are no operations of the runtime.
     pub fn folding() -> Self {
         Self { folds_all: true, ..Self::default() }
+    }
+
+    /// Takes all [`Function::InversePowerOfTwo`] for 1: of results in which they cancel, as they round nothing.
+    pub(crate) fn without_scales() -> Self {
+        Self { ignores_scales: true, ..Self::default() }
     }
 
     fn push(&mut self, step: Step) -> usize {
@@ -172,6 +178,9 @@ impl Builder {
 
     /// A function of a.
     pub fn call(&mut self, function: Function, a: usize) -> usize {
+        if self.ignores_scales && function == Function::InversePowerOfTwo {
+            return self.constant(Rational::ONE);
+        }
         if self.folds_all
             && let Some(value) = self.constant_at(a).and_then(|value| series::value(function, value))
         {
@@ -183,6 +192,11 @@ impl Builder {
     /// 0 where a = b, else c.
     pub fn unless(&mut self, a: usize, b: usize, c: usize) -> usize {
         self.push(Step::Unless(a, b, c))
+    }
+
+    /// c where a < b, else d.
+    pub fn less(&mut self, a: usize, b: usize, c: usize, d: usize) -> usize {
+        if c == d { c } else { self.push(Step::Less(a, b, c, d)) }
     }
 
     /// a, or 0 where a is negative.
@@ -216,6 +230,7 @@ impl Builder {
                 Step::Div(a, b) => self.div(at(*a), at(*b)),
                 Step::Call(function, a) => self.call(*function, at(*a)),
                 Step::Unless(a, b, c) => self.unless(at(*a), at(*b), at(*c)),
+                Step::Less(a, b, c, d) => self.less(at(*a), at(*b), at(*c), at(*d)),
                 Step::CutOff(a) => self.cut_off(at(*a)),
             };
             if let Some(name) = other.name(k) {
@@ -253,6 +268,7 @@ impl Builder {
                 Step::Div(a, b) => Step::Div(at(a), at(b)),
                 Step::Call(function, a) => Step::Call(function, at(a)),
                 Step::Unless(a, b, c) => Step::Unless(at(a), at(b), at(c)),
+                Step::Less(a, b, c, d) => Step::Less(at(a), at(b), at(c), at(d)),
                 Step::CutOff(a) => Step::CutOff(at(a)),
             });
         }

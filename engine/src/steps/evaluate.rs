@@ -24,6 +24,8 @@ pub trait Number: Clone {
     fn call(&self, function: Function) -> Option<Self>;
     /// Whether two numbers are equal.
     fn is(&self, other: &Self) -> bool;
+    /// Whether the first of two numbers is smaller; `None` of numbers that are not ordered.
+    fn is_less(&self, other: &Self) -> Option<bool>;
     /// Self, or 0 where it is negative; a function that is nonnegative stays as it is.
     fn cut_off(&self) -> Self;
 }
@@ -51,6 +53,7 @@ impl Steps {
                 Step::Call(function, a) => at(*a).call(*function)?,
                 Step::Unless(a, b, _) if at(*a).is(at(*b)) => N::constant(&Rational::ZERO),
                 Step::Unless(_, _, c) => at(*c).clone(),
+                Step::Less(a, b, c, d) => at(if at(*a).is_less(at(*b))? { *c } else { *d }).clone(),
                 Step::CutOff(a) => at(*a).cut_off(),
             };
             values.push(value);
@@ -60,7 +63,7 @@ impl Steps {
 }
 
 macro_rules! numbers {
-    ($($number:ident: $constant:expr, $quotient:expr, $call:expr, $cut_off:expr;)+) => {$(
+    ($($number:ident: $constant:expr, $quotient:expr, $call:expr, $is_less:expr, $cut_off:expr;)+) => {$(
         impl Number for $number {
             fn constant(value: &Rational) -> Self {
                 $constant(value)
@@ -86,6 +89,9 @@ macro_rules! numbers {
             fn is(&self, other: &Self) -> bool {
                 self == other
             }
+            fn is_less(&self, other: &Self) -> Option<bool> {
+                $is_less(self, other)
+            }
             fn cut_off(&self) -> Self {
                 $cut_off(self)
             }
@@ -99,16 +105,24 @@ numbers! {
         Function::Tan => a.tan(),
         Function::Tanh => a.tanh(),
         Function::Expm1 => a.exp_m1(),
-    }), |a: &f32| if *a < 0.0 { 0.0 } else { *a };
+        Function::InversePowerOfTwo => inverse_power_of_two(f64::from(*a)) as f32,
+    }), |a: &f32, b: &f32| Some(a < b), |a: &f32| if *a < 0.0 { 0.0 } else { *a };
     f64: Rational::to_f64, |a: &f64, b: &f64| Some(a / b), |a: &f64, function| Some(match function {
         Function::Sin => a.sin(),
         Function::Cos => a.cos(),
         Function::Tan => a.tan(),
         Function::Tanh => a.tanh(),
         Function::Expm1 => a.exp_m1(),
-    }), |a: &f64| if *a < 0.0 { 0.0 } else { *a };
+        Function::InversePowerOfTwo => inverse_power_of_two(*a),
+    }), |a: &f64, b: &f64| Some(a < b), |a: &f64| if *a < 0.0 { 0.0 } else { *a };
     Rational: Rational::clone, Rational::checked_div, |_: &Rational, _| None,
-        |a: &Rational| if a.is_negative() { Rational::ZERO } else { a.clone() };
+        |a: &Rational, b: &Rational| Some(a < b), |a: &Rational| if a.is_negative() { Rational::ZERO } else { a.clone() };
     Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone())), Fraction::checked_div,
-        |_: &Fraction, _| None, Fraction::clone;
+        |_: &Fraction, _| None, |_: &Fraction, _| None, Fraction::clone;
+}
+
+/// As the function of that name in the runtime.
+fn inverse_power_of_two(a: f64) -> f64 {
+    let exponent = (a.to_bits() >> 52) & 2047;
+    f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
 }

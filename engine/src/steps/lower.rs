@@ -1,6 +1,6 @@
 //! From a plan to steps.
 
-use super::{Builder, Steps};
+use super::{Builder, Function, Steps};
 use crate::algebra::rational::Rational;
 use crate::plan::{Node, Plan, Ref};
 
@@ -38,6 +38,7 @@ impl Builder {
                     continue;
                 }
                 Node::CutOff(a) => self.cut_off(one(a)),
+                Node::InversePowerOfTwo(a) => self.call(Function::InversePowerOfTwo, one(a)),
                 Node::List(list) => {
                     let list = all(list);
                     values.push(list);

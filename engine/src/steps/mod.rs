@@ -67,6 +67,8 @@ pub enum Step {
     Call(Function, usize),
     /// 0 where a = b, else c.
     Unless(usize, usize, usize),
+    /// c where a < b, else d.
+    Less(usize, usize, usize, usize),
     /// a, or 0 where a is negative: exactly a is nonnegative.
     CutOff(usize),
 }
@@ -84,6 +86,9 @@ pub enum Function {
     Tanh,
     /// exp(a) − 1
     Expm1,
+    /// The power of two by which a > 0 becomes a number from 1 to 2. A language may be off by a power of two where a is next to
+    /// one: what it multiplies counts up to a factor only.
+    InversePowerOfTwo,
 }
 
 impl Step {
@@ -94,6 +99,7 @@ impl Step {
             Self::Neg(a) | Self::Call(_, a) | Self::CutOff(a) => vec![a],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
             Self::Unless(a, b, c) => vec![a, b, c],
+            Self::Less(a, b, c, d) => vec![a, b, c, d],
         }
     }
 }

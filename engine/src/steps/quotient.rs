@@ -220,7 +220,8 @@ impl Deriving {
         let (factors, slopes) = if angle.kind == Kind::Circular {
             let cos = turn.map(|end| b.call(Function::Cos, end));
             let (sin, middle) = (b.call(Function::Sin, width), b.call(Function::Cos, width));
-            let factors = cos.map(|cos| b.div(cos, sin));
+            let scale = b.call(Function::InversePowerOfTwo, sin);
+            let factors = cos.map(|cos| b.mul(cos, scale));
             let one = b.integer(1);
             let end = b.div(one, sin);
             (factors, [end, b.div(middle, sin), end])
@@ -232,12 +233,16 @@ impl Deriving {
                 let decay = b.decay(end);
                 b.add(two, decay)
             });
-            let factors = ends.map(|end| b.div(end, below));
+            let scale = b.call(Function::InversePowerOfTwo, below);
+            let factors = ends.map(|end| b.mul(end, scale));
             let falls = b.falling(width);
-            let (first, last) = (b.mul(two, factors[1]), b.mul(two, factors[0]));
-            let (first, last) = (b.div(first, ends[0]), b.div(last, ends[1]));
+            let [first, last] = ends.map(|end| {
+                let part = b.div(end, below);
+                b.mul(two, part)
+            });
+            let (slope, back) = (b.div(last, ends[0]), b.div(first, ends[1]));
             let sum = b.add(one, falls);
-            (factors, [first, b.div(sum, below), b.mul(last, falls)])
+            (factors, [slope, b.div(sum, below), b.mul(back, falls)])
         };
         let slopes = slopes.map(|slope| b.mul(slope, by));
         let balance = match angle.kind {
@@ -295,7 +300,7 @@ impl<'a> Quotients<'a> {
             let rows = span.rows(&mut builder);
             let column = |k: usize| rows.iter().map(|row| row[k]).listed();
             let mut outputs =
-                (0..span.form.numerators.len()).map(|k| builder.bernstein(&column(k), s, x)).listed();
+                (0..span.form.numerators.len()).map(|k| builder.affine_bernstein(&column(k), s, x)).listed();
             for (output, is_nonnegative) in outputs.iter_mut().zip(&span.family.nonnegative) {
                 if *is_nonnegative {
                     *output = builder.cut_off(*output);
@@ -455,21 +460,24 @@ impl Span<'_> {
         };
         let rate = builder.constant(turn.rate.clone());
         let [after, before] = self.distances(builder, t).map(|distance| builder.mul(rate, distance));
-        let [s, x] = [(before, after, 0), (after, before, 1)].map(|(argument, other, k)| {
+        let sines = if self.kind == Kind::Circular {
+            [before, after].map(|argument| builder.call(Function::Sin, argument))
+        } else {
+            // sinh(b) : sinh(a) = 1 − exp(−2b) : exp(2a) − 1, both times a power of two near exp(−2a).
+            let [one, two] = [1, 2].map(|n| builder.integer(n));
+            let argument = builder.mul(two, after);
+            let risen = builder.call(Function::Expm1, argument);
+            let decay = builder.decay(before);
+            let left = builder.neg(decay);
+            let grown = builder.add(one, risen);
+            let size = builder.call(Function::InversePowerOfTwo, grown);
+            [builder.mul(left, size), builder.mul(risen, size)]
+        };
+        [0, 1].map(|k| {
             let factor = builder.scalar(&turn.factors[k]);
-            let sine = if self.kind == Kind::Circular {
-                builder.call(Function::Sin, argument)
-            } else {
-                // sinh(b) : sinh(a) times one and the same exponential.
-                let decay = builder.decay(argument);
-                let falls = if k == 0 { Some(builder.falling(other)) } else { None };
-                let risen = builder.neg(decay);
-                falls.map_or(risen, |falls| builder.mul(risen, falls))
-            };
-            let coordinate = builder.mul(sine, factor);
+            let coordinate = builder.mul(sines[k], factor);
             builder.unless(t, ends[1 - k], coordinate)
-        });
-        [s, x]
+        })
     }
 
     /// t − low and high − t: ends that are numbers in parts.

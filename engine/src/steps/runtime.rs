@@ -67,6 +67,30 @@ impl Builder {
         sum
     }
 
+    /// `macro_support::affine_bernstein`: as [`bernstein`](Self::bernstein) for s + x = 1, in the smaller of both.
+    pub(super) fn affine_bernstein(&mut self, points: &[usize], s: usize, x: usize) -> usize {
+        let degree = points.len().saturating_sub(1);
+        let smaller = self.less(x, s, x, s);
+        let from_its_end: Vec<usize> =
+            (0..points.len()).map(|k| self.less(x, s, points[k], points[degree - k])).collect();
+        let Some((first, rest)) = from_its_end.split_first() else { return self.zero() };
+        let (mut sum, mut lost, mut power) = (*first, self.zero(), self.one());
+        for (point, k) in rest.iter().zip(1..) {
+            power = self.mul(power, smaller);
+            let binomial = self.constant(binomial(degree as u32, k));
+            let (factor, product) = (self.mul(power, binomial), self.mul(sum, smaller));
+            let term = self.mul(*point, factor);
+            let step = self.sub(term, product);
+            let next = self.add(sum, step);
+            let rounded = self.sub(sum, next);
+            let rounded = self.add(rounded, step);
+            let left = self.mul(lost, smaller);
+            let left = self.sub(lost, left);
+            (sum, lost) = (next, self.add(left, rounded));
+        }
+        self.add(sum, lost)
+    }
+
     /// `form::difference`: all but the last replaced by the difference to the next.
     fn difference(&mut self, points: &mut [usize]) {
         for i in 1..points.len() {

@@ -36,7 +36,26 @@ pub(crate) fn value(function: Function, x: &Rational) -> Option<Rational> {
             quotient(e, &below)
         }
         Function::Expm1 => Some(expm1(x)),
+        Function::InversePowerOfTwo => inverse_power_of_two(x),
     }
+}
+
+/// A power of two with 1 ≤ x·2ᵏ < 2; `None` where x is not positive.
+fn inverse_power_of_two(x: &Rational) -> Option<Rational> {
+    let two = Rational::from(2);
+    let bits = |n: Rational| u32::try_from(n.bits()).ok();
+    let (above, below) = (bits(x.numer())?, bits(x.denom())?);
+    let mut power = if above > below { two.pow(above - below).recip()? } else { two.pow(below - above) };
+    if !x.is_positive() {
+        return None;
+    }
+    while x * &power < Rational::ONE {
+        power = &power * &two;
+    }
+    while x * &power >= two {
+        power = &power * &Rational::new(1, 2);
+    }
+    Some(power)
 }
 
 /// x − x³/6 + … and 1 − x²/2 + …

@@ -146,7 +146,8 @@ pub(crate) fn nested<P: Point>(points: &[P], binomials: &[f64], s: P::Scalar, x:
     })
 }
 
-/// [`nested`] for `s + x = 1`, in the smaller of both: `sum s` is `sum - sum x`, of which the product is small.
+/// [`nested`] for `s + x = 1`, in the smaller of both: `sum s` is `sum - sum x`, of which the product is small. What the
+/// sums lose by rounding is carried along, so that the error does not grow with the degree.
 #[inline]
 pub(crate) fn affine_nested<P: Point>(points: &[P], binomials: &[f64], s: P::Scalar, x: P::Scalar) -> P {
     if x < s {
@@ -159,12 +160,17 @@ pub(crate) fn affine_nested<P: Point>(points: &[P], binomials: &[f64], s: P::Sca
 #[inline]
 fn stepwise<P: Point>(mut points: impl Iterator<Item = P>, binomials: &[f64], x: P::Scalar) -> P {
     let Some(first) = points.next() else { return P::zero() };
-    let mut power = P::Scalar::ONE;
-    points.zip(&binomials[1..]).fold(first, |sum, (point, &binomial)| {
-        power = power * x;
-        let step = point.scale(power * P::Scalar::of(binomial)).minus(sum.scale(x));
-        sum.add_scaled(step, P::Scalar::ONE)
-    })
+    let one = P::Scalar::ONE;
+    let mut power = one;
+    let (sum, lost) =
+        points.zip(&binomials[1..]).fold((first, P::zero()), |(sum, lost), (point, &binomial)| {
+            power = power * x;
+            let step = point.scale(power * P::Scalar::of(binomial)).minus(sum.scale(x));
+            let next = sum.add_scaled(step, one);
+            let rounded = sum.minus(next).add_scaled(step, one);
+            (next, lost.minus(lost.scale(x)).add_scaled(rounded, one))
+        });
+    sum.add_scaled(lost, one)
 }
 
 /// The derivative of that order, in `x`, of the polynomial with these Bernstein coefficients; overwrites them.

@@ -1,6 +1,6 @@
-//! Sines and exponentials in loops that the compiler turns into vector instructions.
+//! Sines and exponentials in loops that the compiler turns into vector instructions, and powers of two.
 //!
-//! The functions of the standard library are calls, one for each number. These are polynomials without branches, for the
+//! The functions of the standard library are calls, one for each number. The first two are polynomials without branches, for the
 //! arguments that maps of domains have; each is within 2 ε of the exact value, relative to it.
 
 // All of it is compiled once for each set of vector instructions, inside of the functions that name them.
@@ -31,6 +31,13 @@ pub(crate) fn decay<const FUSED: bool, S: Scalar>(x: S) -> [S; 2] {
     let less = nested::<FUSED, S>(S::EXP, r).fma::<FUSED>(r * r, r);
     let power = shifted.power_of_two();
     [power.fma::<FUSED>(less, power - S::ONE), power.fma::<FUSED>(less, power)]
+}
+
+/// The power of two by which a positive number becomes one from 1 to 2, or the nearest to it that is a float: a product
+/// with it rounds nothing.
+#[inline]
+pub fn inverse_power_of_two<S: Scalar>(x: S) -> S {
+    x.inverse_power_of_two()
 }
 
 /// A polynomial, its coefficients from that of the lowest power on.

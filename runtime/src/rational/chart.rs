@@ -3,7 +3,7 @@
 use super::slices::TILE;
 use crate::Scalar;
 use crate::domain::{from_unit, unit};
-use crate::numeric::elementary::{decay, sine};
+use crate::numeric::elementary::{decay, inverse_power_of_two, sine};
 
 /// The map from a domain `lo <= t <= hi` to the parameter `0 <= x <= 1` in which the functions of a
 /// [`RationalBasis`](crate::RationalBasis) are quotients of polynomials.
@@ -12,7 +12,7 @@ use crate::numeric::elementary::{decay, sine};
 /// `x = (tan ψ - tan ψ0) / (tan ψ1 - tan ψ0)`, for those with exponentials the same with tanh, where `ψ` is affine in
 /// `t` and runs from `ψ0` to `ψ1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Chart<S> {
+pub struct Chart<S: Scalar> {
     domain: [S; 2],
     /// What is to be added to the ends of the domain, which no float need be.
     tails: [S; 2],
@@ -22,7 +22,7 @@ pub struct Chart<S> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind<S> {
+enum Kind<S: Scalar> {
     Affine,
     Circular(Turn<S>),
     Hyperbolic(Turn<S>),
@@ -30,11 +30,11 @@ enum Kind<S> {
 
 /// How ψ runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Turn<S> {
+struct Turn<S: Scalar> {
     /// dψ/dt.
-    rate: S,
+    rate: S::Wide,
     /// The factors of the two coordinates.
-    factors: [S; 2],
+    factors: [S::Wide; 2],
     /// The Bernstein coefficients of dy/dt as a polynomial of degree 2 in y, the [balanced](Chart::balanced) place.
     slopes: [S; 3],
 }
@@ -71,15 +71,19 @@ impl<S: Scalar> Chart<S> {
     /// between `-π/2` and `π/2`.
     ///
     /// With `a = ψ - ψ0` and `b = ψ1 - ψ` it is `1 - x : x = sin b cos ψ0 : sin a cos ψ1`; each of the two keeps its
-    /// relative accuracy where it vanishes.
+    /// relative accuracy where it vanishes. Only their quotient counts; a power of two, which rounds nothing, makes both
+    /// of moderate size.
     #[inline]
     pub fn circular(domain: [S; 2], rate: S, turn: [S; 2]) -> Self {
-        let [(_, c0), (_, c1)] = turn.map(S::sin_cos);
-        let (sin, cos) = (turn[1] - turn[0]).sin_cos();
-        let factors = [c0 / sin, c1 / sin];
+        let (rate, turn) = (rate.wide(), turn.map(S::wide));
+        let [(_, c0), (_, c1)] = turn.map(Scalar::sin_cos);
+        let (sin, cos) = Scalar::sin_cos(turn[1] - turn[0]);
+        let scale = inverse_power_of_two(sin);
+        let factors = [c0 * scale, c1 * scale];
         // dy/dψ = 1 / (sin Δ (s + y)²) for s = sin b / sin Δ, y = sin a / sin Δ, and sin² Δ = sin² a + sin² b + 2 sin a
         // sin b cos Δ.
-        let slopes = [S::ONE / sin, cos / sin, S::ONE / sin].map(|slope| slope * rate);
+        let one = S::Wide::ONE;
+        let slopes = [one / sin, cos / sin, one / sin].map(|slope| S::narrow(slope * rate));
         Self {
             domain,
             tails: [S::ZERO; 2],
@@ -88,21 +92,22 @@ impl<S: Scalar> Chart<S> {
         }
     }
 
-    /// As [`circular`](Self::circular) with hyperbolic tangents.
-    ///
-    /// It is `1 - x : x = sinh b cosh ψ0 : sinh a cosh ψ1`, which is written in exponentials of negative numbers.
+    /// As [`circular`](Self::circular) with hyperbolic tangents: `1 - x : x = sinh b cosh ψ0 : sinh a cosh ψ1`.
     #[inline]
     pub fn hyperbolic(domain: [S; 2], rate: S, turn: [S; 2]) -> Self {
-        let two = S::of(2.0);
-        let decay = |x: S| (-(two * x)).exp_m1();
+        let (rate, turn) = (rate.wide(), turn.map(S::wide));
+        let [one, two] = [S::Wide::ONE, S::Wide::of(2.0)];
+        let decay = |x: S::Wide| (-(two * x)).exp_m1();
         // 1 - exp(-2Δ) is twice sinh Δ exp(-Δ).
         let width = -decay(turn[1] - turn[0]);
         let ends = turn.map(|end| two + decay(end));
-        let factors = ends.map(|end| end / width);
+        let scale = inverse_power_of_two(width);
+        let factors = ends.map(|end| end * scale);
         // dx/dψ = 1 / (cosh² ψ (tanh ψ1 - tanh ψ0)), and cosh ψ1 / cosh ψ0 = exp(Δ) ends[1] / ends[0].
         let falls = falling(turn[1] - turn[0]);
-        let last = two * factors[0] / ends[1] * falls;
-        let slopes = [two * factors[1] / ends[0], (S::ONE + falls) / width, last].map(|slope| slope * rate);
+        let [first, last] = ends.map(|end| two * (end / width));
+        let slopes = [last / ends[0], (one + falls) / width, first / ends[1] * falls];
+        let slopes = slopes.map(|slope| S::narrow(slope * rate));
         Self {
             domain,
             tails: [S::ZERO; 2],
@@ -170,7 +175,7 @@ impl<S: Scalar> Chart<S> {
     }
 
     /// Coordinates `[s, x]` of `t`, proportional to `1 - x` and `x`: their sum is 1 where the map is affine and at both ends,
-    /// and some positive number otherwise. Each has a small relative error where it is small, and is 0 at the end.
+    /// and some positive number otherwise, whose size says nothing. Each has a small relative error where it is small, and is 0 at the end.
     #[inline]
     pub fn coordinates(&self, t: S) -> [S; 2] {
         let turn = match self.kind {
@@ -193,15 +198,18 @@ impl<S: Scalar> Chart<S> {
         if t == lo || t == hi {
             return if t == lo { [S::ONE, S::ZERO] } else { [S::ZERO, S::ONE] };
         }
-        let after = turn.rate * ((t - lo) - self.tails[0]);
-        let before = turn.rate * ((hi - t) + self.tails[1]);
+        let [t, lo, hi] = [t, lo, hi].map(S::wide);
+        let after = turn.rate * ((t - lo) - self.tails[0].wide());
+        let before = turn.rate * ((hi - t) + self.tails[1].wide());
         let [first, second] = turn.factors;
         if matches!(self.kind, Kind::Circular(_)) {
-            return [before.sin_cos().0 * first, after.sin_cos().0 * second];
+            return [before.sin_cos().0 * first, after.sin_cos().0 * second].map(S::narrow);
         }
-        let two = S::of(2.0);
-        let [a, b] = [after, before].map(|x| (-(two * x)).exp_m1());
-        [-b * falling(after) * first, -a * second]
+        // sinh(b) : sinh(a) = 1 - exp(-2b) : exp(2a) - 1, both times a power of two near exp(-2a).
+        let two = S::Wide::of(2.0);
+        let (risen, left) = ((two * after).exp_m1(), -(-(two * before)).exp_m1());
+        let size = inverse_power_of_two(S::Wide::ONE + risen);
+        [left * size * first, risen * size * second].map(S::narrow)
     }
 
     /// The [`coordinates`](Self::coordinates) of parameters inside of the domain, by vector instructions, within 2 ε of them;
@@ -224,13 +232,15 @@ impl<S: Scalar> Chart<S> {
                     x[i] = ((ts[i] - lo) - after) / width;
                 }
             }
-            Kind::Circular(Turn { rate, factors: [first, second], .. }) => {
+            Kind::Circular(Turn { rate, factors, .. }) => {
+                let (rate, [first, second]) = (S::narrow(rate), factors.map(S::narrow));
                 for i in 0..TILE {
                     s[i] = sine::<FUSED, S>(rate * ((hi - ts[i]) + before)) * first;
                     x[i] = sine::<FUSED, S>(rate * ((ts[i] - lo) - after)) * second;
                 }
             }
-            Kind::Hyperbolic(Turn { rate, factors: [first, second], .. }) => {
+            Kind::Hyperbolic(Turn { rate, factors, .. }) => {
+                let (rate, [first, second]) = (S::narrow(rate), factors.map(S::narrow));
                 for i in 0..TILE {
                     let [less, falls] = decay::<FUSED, S>(rate * ((ts[i] - lo) - after));
                     let [beyond, _] = decay::<FUSED, S>(rate * ((hi - ts[i]) + before));
@@ -255,7 +265,7 @@ impl<S: Scalar> Chart<S> {
     #[inline]
     pub(crate) fn balance(&self) -> S {
         match self.kind {
-            Kind::Circular(turn) => turn.factors[1] / turn.factors[0],
+            Kind::Circular(turn) => S::narrow(turn.factors[1] / turn.factors[0]),
             Kind::Affine | Kind::Hyperbolic(_) => S::ONE,
         }
     }
@@ -264,7 +274,7 @@ impl<S: Scalar> Chart<S> {
     #[inline]
     pub(crate) fn balanced(&self, t: S) -> S {
         let Kind::Circular(turn) = self.kind else { return self.place(t) };
-        let [first, second] = turn.factors;
+        let [first, second] = turn.factors.map(S::narrow);
         let [s, x] = self.coordinates(t);
         let [s, y] = [s * second, x * first];
         y / (s + y)
@@ -282,18 +292,19 @@ impl<S: Scalar> Chart<S> {
         if x == S::ZERO || x == S::ONE {
             return if x == S::ZERO { lo } else { hi };
         }
-        let (s, [first, second], width) = (S::ONE - x, turn.factors, turn.rate * (hi - lo));
+        let (s, [first, second], rate) = (S::ONE - x, turn.factors.map(S::narrow), S::narrow(turn.rate));
+        let width = rate * (hi - lo);
         if circular {
             // (1 - x) : x = sin(Δ - a) cos ψ0 : sin a cos ψ1
             let (sin, cos) = width.sin_cos();
-            return lo + (x * first * sin).atan2(s * second + x * first * cos) / turn.rate;
+            return lo + (x * first * sin).atan2(s * second + x * first * cos) / rate;
         }
         // x second : (1 - x) first is the quotient of 1 - q and (1 - d/q) q, where q = exp(-2a), d = exp(-2Δ).
         let (x, s) = (x / second, s / first);
         let falls = (-(S::of(2.0) * width)).exp_m1();
         // x (q - d) = s (1 - q), so that q - 1 = x (d - 1) / (s + x)
         let q = x * falls / (s + x);
-        lo - q.ln_1p() / (S::of(2.0) * turn.rate)
+        lo - q.ln_1p() / (S::of(2.0) * rate)
     }
 
     /// The Taylor coefficients of `y(t + h) - y(t)` in `h`, from that of `h⁰`, which is zero; `y` is the

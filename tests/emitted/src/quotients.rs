@@ -31,7 +31,7 @@ const _: () = basis_runtime::generated::unchanged(
 ///
 /// `b[0]`: cut off at 0, below which only rounding could take what is proved nonnegative.
 ///
-/// Rounding errors of the values, proved to be at most: `b[0]`: 36.24 ε of the value; `b[1]`: 44.25 ε of the value; `b[2]`: 17.51 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
+/// Rounding errors of the values, proved to be at most: `b[0]`: 36.24 ε of the value; `b[1]`: 41.25 ε of the value; `b[2]`: 16.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
 ///
 /// # Claims
 ///
@@ -146,8 +146,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Swing<S> {
     const NAME: &'static str = "Swing";
     const ROUNDING: &'static [basis_runtime::Rounding] = &[
         basis_runtime::Rounding::Relative(36.24),
-        basis_runtime::Rounding::Relative(44.25),
-        basis_runtime::Rounding::Relative(17.51),
+        basis_runtime::Rounding::Relative(41.25),
+        basis_runtime::Rounding::Relative(16.01),
     ];
     #[inline]
     fn chart(&self) -> basis_runtime::Chart<S> {
@@ -216,7 +216,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Swing<S> {
 ///
 /// for `0 <= t <= ρ`, `0 < ρ <= 4`.
 ///
-/// Rounding errors of the values, proved to be at most: `b[0]`: 15.26 ε of the value; `b[1]`: 15.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
+/// Rounding errors of the values, proved to be at most: `b[0]`: 11.26 ε of the value; `b[1]`: 11.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
 ///
 /// # Claims
 ///
@@ -313,7 +313,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Fall<S> {
     type Bernstein<T: Copy> = [T; 3];
     const NAME: &'static str = "Fall";
     const ROUNDING: &'static [basis_runtime::Rounding] =
-        &[basis_runtime::Rounding::Relative(15.26), basis_runtime::Rounding::Relative(15.01)];
+        &[basis_runtime::Rounding::Relative(11.26), basis_runtime::Rounding::Relative(11.01)];
     #[inline]
     fn chart(&self) -> basis_runtime::Chart<S> {
         let _tangent0 = v1::tanh(S::of(0.5) * self.rho);

@@ -8,4 +8,5 @@ mod near_ends;
 mod rational;
 mod refuted_claims;
 mod shapes;
+mod single_precision;
 mod spans;

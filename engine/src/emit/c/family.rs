@@ -166,10 +166,17 @@ impl Family<'_> {
             lines += &format!("family->{0} = wrong ? ({t})NAN : {0};\n", shape.name);
         }
         if let Some(derived) = code.steps.derived() {
-            let expressions = body(code, &derived.steps, &self.language);
-            let mut inner = self.language.scalar_lets(&expressions);
+            // They count in every value, and to a high power.
+            let double = C(super::Scalar::F64);
+            let expressions = body(code, &derived.steps, &double);
+            let mut inner = double.scalar_lets(&expressions);
+            let cast = if self.language.is_single() { "(float)" } else { "" };
             for (name, value) in code.derived.iter().zip(&expressions.outputs) {
-                inner += &format!("family->{name} = wrong ? ({t})NAN : {};\n", value.text);
+                let value = match cast {
+                    "" => value.text.clone(),
+                    _ => format!("{cast}({})", value.text),
+                };
+                inner += &format!("family->{name} = wrong ? ({t})NAN : {value};\n");
             }
             lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
         }

@@ -89,19 +89,27 @@ impl Language for C {
     }
 
     fn call(&self, function: Function, argument: &str) -> String {
+        let suffix = if self.0 == Scalar::F32 { "f" } else { "" };
         let name = match function {
+            Function::InversePowerOfTwo => {
+                let one = self.literal(&Rational::ONE);
+                return format!("({one} / scalbn{suffix}({one}, ilogb{suffix}({argument})))");
+            }
             Function::Sin => "sin",
             Function::Cos => "cos",
             Function::Tan => "tan",
             Function::Tanh => "tanh",
             Function::Expm1 => "expm1",
         };
-        let suffix = if self.0 == Scalar::F32 { "f" } else { "" };
         format!("{name}{suffix}({argument})")
     }
 
     fn unless(&self, [a, b, c]: &[String; 3]) -> String {
         format!("({a} == {b} ? {} : {c})", self.literal(&Rational::ZERO))
+    }
+
+    fn less(&self, [a, b, c, d]: &[String; 4]) -> String {
+        format!("({a} < {b} ? {c} : {d})")
     }
 
     fn cut_off(&self, name: &str) -> String {

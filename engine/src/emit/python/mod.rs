@@ -98,7 +98,7 @@ def _end(curve, last, order, f, c, points, count):
 const CALL: &str = r#"
 
 def _call(name, x):
-    """sin, cos, tan, tanh or expm1 of a number, and of an array as its own library has it."""
+    """A function such as sin, expm1 or frexp of a number, and of an array as its own library has it."""
     if hasattr(x, "__array_namespace__"):
         return getattr(x.__array_namespace__(), name)(x)
     if type(x).__module__ == "numpy":  # before numpy 2
@@ -109,6 +109,15 @@ def _call(name, x):
         return getattr(math, name)(x)
     except OverflowError:
         return INFINITY
+"#;
+
+/// What a file with a family in two coordinates of any size has beside that.
+const INVERSE_POWER_OF_TWO: &str = r#"
+
+def _inverse_power_of_two(x):
+    """The power of two by which a positive number becomes one from 1 to 2."""
+    part = _call("frexp", x)[0]
+    return (part + part) / x
 "#;
 
 /// What a file with a family whose shape values overflow earlier in `float32` has beside that.
@@ -208,6 +217,7 @@ impl Language for Python {
 
     fn call(&self, function: Function, argument: &str) -> String {
         let name = match function {
+            Function::InversePowerOfTwo => return format!("_inverse_power_of_two({argument})"),
             Function::Sin => "sin",
             Function::Cos => "cos",
             Function::Tan => "tan",
@@ -219,6 +229,10 @@ impl Language for Python {
 
     fn unless(&self, [a, b, c]: &[String; 3]) -> String {
         format!("({c} * ({a} != {b}))")
+    }
+
+    fn less(&self, [a, b, c, d]: &[String; 4]) -> String {
+        format!("({c} * ({a} < {b}) + {d} * ({a} >= {b}))")
     }
 
     fn cut_off(&self, name: &str) -> String {
@@ -284,11 +298,12 @@ impl Language for Python {
 
     fn file(&self, header: &str, items: &[String]) -> String {
         let all = items.concat();
-        let calls = all.contains("_call(");
+        let calls = all.contains("_call(") || all.contains("_inverse_power_of_two(");
         let import = if calls { "import math\n\n" } else { "" };
         let mut text =
             format!("{header}#\n# `float` stands for a number or an array of numbers.\n\n{import}{SUPPORT}");
         text += if calls { CALL } else { "" };
+        text += if all.contains("_inverse_power_of_two(") { INVERSE_POWER_OF_TWO } else { "" };
         text += if all.contains("_is_single(") { IS_SINGLE } else { "" };
         text += if all.contains("_on_spans(") { ON_SPANS } else { "" };
         for item in items {

@@ -70,11 +70,12 @@ const fn helper(function: Function) -> (&'static str, &'static [Function]) {
         Function::Tan => ("basis_tan", &[Function::Sin, Function::Cos]),
         Function::Tanh => ("basis_tanh", &[Function::Expm1]),
         Function::Expm1 => ("basis_expm1", &[]),
+        Function::InversePowerOfTwo => ("basis_inverse_power_of_two", &[]),
     }
 }
 
 /// Functions whose errors are relative, for |x| < pi; those of the languages have absolute errors.
-const SERIES: [(Function, &str); 5] = [
+const SERIES: [(Function, &str); 6] = [
     (
         Function::Sin,
         "LET h = 0.5 * x;
@@ -108,6 +109,7 @@ return x + x * x * (0.5 + x * (0.16666667 + x * (0.041666668 + x * (0.008333334 
 return e / (e + 2.0);
 ",
     ),
+    (Function::InversePowerOfTwo, "return FROM_BITS((254u - ((TO_BITS(x) >> 23u) & 255u)) << 23u);\n"),
 ];
 
 impl Shader {
@@ -120,7 +122,12 @@ impl Shader {
         };
         let mut functions = Vec::new();
         for (function, lines) in SERIES.iter().filter(|(function, _)| needed(*function)) {
-            let lines = lines.replace("LET", if self == Self::Wgsl { "let" } else { "float" });
+            let [named, to_bits, from_bits] = match self {
+                Self::Wgsl => ["let", "bitcast<u32>", "bitcast<f32>"],
+                Self::Glsl => ["float", "floatBitsToUint", "uintBitsToFloat"],
+            };
+            let lines = lines.replace("LET", named);
+            let lines = lines.replace("TO_BITS", to_bits).replace("FROM_BITS", from_bits);
             let (name, argument) = (helper(*function).0, self.argument("x", self.float()));
             functions.push(self.function(name, &[argument], self.float(), &lines));
         }
@@ -292,6 +299,13 @@ impl Language for Shader {
         match self {
             Self::Wgsl => format!("select({c}, 0.0f, {a} == {b})"),
             Self::Glsl => format!("({a} == {b} ? 0.0 : {c})"),
+        }
+    }
+
+    fn less(&self, [a, b, c, d]: &[String; 4]) -> String {
+        match self {
+            Self::Wgsl => format!("select({d}, {c}, {a} < {b})"),
+            Self::Glsl => format!("({a} < {b} ? {c} : {d})"),
         }
     }
 

@@ -164,6 +164,7 @@ impl Language for TypeScript {
 
     fn call(&self, function: Function, argument: &str) -> String {
         let name = match function {
+            Function::InversePowerOfTwo => return format!("(2 ** -Math.floor(Math.log2({argument})))"),
             Function::Sin => "sin",
             Function::Cos => "cos",
             Function::Tan => "tan",
@@ -175,6 +176,10 @@ impl Language for TypeScript {
 
     fn unless(&self, [a, b, c]: &[String; 3]) -> String {
         format!("({a} === {b} ? 0.0 : {c})")
+    }
+
+    fn less(&self, [a, b, c, d]: &[String; 4]) -> String {
+        format!("({a} < {b} ? {c} : {d})")
     }
 
     fn cut_off(&self, name: &str) -> String {

@@ -106,6 +106,9 @@ pub struct RationalForm {
     pub completed: Option<Completed>,
     /// Whether the coordinates s and x add up to 1: they do not where they are made of sines.
     pub is_affine: bool,
+    /// The number ρ of a denominator that is a power of s + ρ·x: values are computed in s and y = ρ·x, both times one power of
+    /// two, so that no power of s + y underflows; the factored forms of the functions are in these.
+    pub ratio: Option<Poly>,
     /// Whether values are computed from the table of Bernstein coefficients of the numerators, as points of curves are:
     /// where these are long polynomials in the shape values, which are better computed in one place. Otherwise from
     /// factored forms.
@@ -160,14 +163,31 @@ impl RationalForm {
         let functions = functions.into_iter().collect::<Option<Vec<_>>>()?;
         let terms: usize = functions.iter().flat_map(|f| &f.bernstein).map(Poly::len).sum();
         let is_tabulated = is_affine && family.over.is_one() && terms > MAX_TERMS;
-        let numerators = IntervalForm { var, low: low.clone(), high: high.clone(), degree, functions };
-        let denominator = form(&family.over, &one)?;
+        let mut numerators = IntervalForm { var, low: low.clone(), high: high.clone(), degree, functions };
+        let mut denominator = form(&family.over, &one)?;
         let sign = Sign::of(family, &denominator.bernstein);
         let has_unit = family.analytic.is_empty() || (low.is_zero() && high.is_one());
         let completes = is_affine && has_unit && sign != Sign::Kept;
         let completed = completes.then(|| Completed::of(family)).flatten();
-        Some(Self { numerators, denominator, sign, completed, is_affine, is_tabulated })
+        let ratio = ratio(&denominator.bernstein).filter(|_| !is_affine);
+        let ratio = ratio.filter(|ratio| {
+            let forms = numerators.functions.iter_mut().chain([&mut denominator]);
+            let in_ratio = forms.map(|f| Some((f.in_ratio(ratio, var, &family.region())?, f)));
+            let Some(all) = in_ratio.collect::<Option<Vec<_>>>() else { return false };
+            for (factored, form) in all {
+                form.factored = factored;
+            }
+            true
+        });
+        Some(Self { numerators, denominator, sign, completed, is_affine, ratio, is_tabulated })
     }
+}
+
+/// The quotient of each of some numbers and the one before it, where it is always the same and not 1.
+fn ratio(numbers: &[Poly]) -> Option<Poly> {
+    let (first, others) = numbers.split_first()?;
+    let ratio = others.first()?.div_exact(first).filter(|ratio| !ratio.is_one() && !ratio.is_zero())?;
+    numbers.windows(2).all(|pair| pair[1] == &pair[0] * &ratio).then_some(ratio)
 }
 
 impl FunctionForm {
@@ -191,6 +211,19 @@ impl FunctionForm {
         let factored = Factored::new(own).without_square(var, &family.region());
         let endpoint = if degree <= MAX_ENDPOINT_DEGREE { endpoint(&unit, degree) } else { Vec::new() };
         Some(Self { denom: denom.clone(), monomial, bernstein, factored, endpoint })
+    }
+}
+
+impl FunctionForm {
+    /// The function as a product in s and ratio·x; `None` where that has other coefficients than polynomials.
+    fn in_ratio(&self, ratio: &Poly, var: Var, region: &Region) -> Option<Factored> {
+        let mut power = Poly::one();
+        let mut own = Vec::new();
+        for c in &self.bernstein {
+            own.push(c.div_exact(&power)?);
+            power = &power * ratio;
+        }
+        Some(Factored::new(own).without_square(var, region))
     }
 }
 

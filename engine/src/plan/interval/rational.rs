@@ -21,6 +21,9 @@ pub fn values(family: &Family, form: &RationalForm) -> Plan {
         [0, 1].map(|k| builder.input(Input::Coordinate(k)))
     };
     builder.coordinates = vec![(String::from("s"), s), (String::from("x"), x)];
+    if let Some(ratio) = &form.ratio {
+        builder.of_one_size(ratio);
+    }
     let divides = !form.is_affine || !family.over.is_one();
     let mut names = Vec::new();
     let denominator = divides.then(|| match &form.completed {
@@ -46,6 +49,24 @@ pub fn values(family: &Family, form: &RationalForm) -> Plan {
     let values = builder.cut_off(values, &family.nonnegative);
     names.extend(denominator.map(|value| Let { names: vec![String::from("w")], value }));
     builder.finish_with(names, values)
+}
+
+impl Builder {
+    /// Takes s and y = ratio·x as coordinates, both times the power of two that makes their sum a number from 1 to 2.
+    fn of_one_size(&mut self, ratio: &Poly) {
+        let [s, x] = [self.coordinates[0].1, self.coordinates[1].1];
+        let ratio = self.scalar(ratio);
+        let y = self.push(Node::Product(ratio, x));
+        let sum = self.push(Node::Sum(s, y));
+        let size = self.push(Node::InversePowerOfTwo(sum));
+        let [u, v] = [s, y].map(|part| self.push(Node::Product(part, size)));
+        self.coordinates = vec![(String::from("u"), u), (String::from("v"), v)];
+        // They come before their powers.
+        self.units.append(&mut self.scalar_lets);
+        for (name, value) in [("y", y), ("size", size), ("u", u), ("v", v)] {
+            self.units.push(Let { names: vec![String::from(name)], value });
+        }
+    }
 }
 
 /// The Bernstein coefficients of the numerators: for each place one of each function.
