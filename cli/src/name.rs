@@ -25,6 +25,17 @@ pub(crate) fn positions(word: &str, names: &[&str]) -> Vec<usize> {
     (0..names.len()).filter(|k| stem(names[*k]).is_some_and(|stem| stem == ascii(word))).collect()
 }
 
+/// Which of the names are meant by each of several words: as [`positions`], where a list without an index is all of it but for the
+/// entries that stand among the words themselves.
+pub(crate) fn each_position(words: &[&str], names: &[&str]) -> Vec<Vec<usize>> {
+    let mut all: Vec<Vec<usize>> = words.iter().map(|word| positions(word, names)).collect();
+    let own: Vec<usize> = all.iter().filter(|list| list.len() == 1).map(|list| list[0]).collect();
+    for list in all.iter_mut().filter(|list| list.len() > 1) {
+        list.retain(|k| !own.contains(k));
+    }
+    all
+}
+
 /// The name that differs least from `word`, if it is near enough to be meant.
 pub(crate) fn closest<'n>(word: &str, names: &[&'n str]) -> Option<&'n str> {
     basis_engine::closest(word, names).or_else(|| {

@@ -389,7 +389,7 @@ pub(crate) struct EvalArguments {
     /// spec has only one
     pub(crate) family: Option<String>,
     /// The value of a shape parameter, inside its declared range: λ=1/2, or several, λ=-3..1:1/2; of a list one entry,
-    /// `w[1]=1/2`, or all, w=1/2
+    /// `w[1]=1/2`, or all others, w=1/2
     #[arg(long = "shape", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = axis)]
     pub(crate) shapes: Vec<Axis>,
     /// The point: a value for each domain variable, or several from one to another in steps, t=0..1:1/10; a variable
@@ -476,8 +476,8 @@ pub(crate) struct PlotArguments {
     pub(crate) file: PathBuf,
     /// The family, with its order if it has index parameters: 'Bernstein(3)'; not needed where the spec has only one
     pub(crate) family: Option<String>,
-    /// The value of a shape parameter, or a range of values: λ=1/2 or λ=-3..1; of a list one entry, `w[1]=1/2`, or all,
-    /// w=1/2
+    /// The value of a shape parameter, or a range of values: λ=1/2 or λ=-3..1; of a list one entry, `w[1]=1/2`, or all
+    /// others, w=1/2
     #[arg(long = "shape", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = shape)]
     pub(crate) shapes: Vec<ShapeArgument>,
     /// The control points of a curve in the plane, such as "0,0 1,2 3,2 4,0"

@@ -56,14 +56,14 @@ pub(super) fn values(
     };
     table.numbers();
     for (role, given) in [(Role::Shape, shapes), (Role::At, at)] {
-        for given in given {
-            // A list without an index is all of it.
-            let names = role.names(family);
-            match name::positions(given.name, &names).as_slice() {
-                [] => table.assign(role, given),
-                several => several
-                    .iter()
-                    .for_each(|k| table.assign(role, &Given { name: names[*k], value: given.value })),
+        let names = role.names(family);
+        let words: Vec<&str> = given.iter().map(|given| given.name).collect();
+        for (given, meant) in given.iter().zip(name::each_position(&words, &names)) {
+            if name::positions(given.name, &names).is_empty() {
+                table.assign(role, given);
+            }
+            for k in meant {
+                table.assign(role, &Given { name: names[k], value: given.value });
             }
         }
     }

@@ -238,10 +238,13 @@ impl Report {
         // At a knot two spans meet.
         let span = values.span.as_ref().map_or_else(String::new, |span| format!(" on {span}"));
         let heading = format!("{}{span} at {}", self.title, assignments(&values.parameters));
-        let rows: Vec<Row> =
-            rows.into_iter().map(|(a, b, c)| Row { mark: None, cells: vec![a, b, c] }).collect();
         let first = if values.points.is_empty() { "function" } else { "point" };
-        let table = table::layout(&[first, "exact", "decimal"], &rows, &[], width);
+        // Of sines and exponentials nothing may be exact.
+        let exact = rows.iter().any(|(_, exact, _)| !exact.is_empty());
+        let header = if exact { vec![first, "exact", "decimal"] } else { vec![first, "decimal"] };
+        let cells = |(a, b, c)| if exact { vec![a, b, c] } else { vec![a, c] };
+        let rows: Vec<Row> = rows.into_iter().map(|row| Row { mark: None, cells: cells(row) }).collect();
+        let table = table::layout(&header, &rows, &[], width);
         format!("{}\n{table}", styled(STRONG, &heading))
     }
 

@@ -40,10 +40,10 @@ pub(super) fn settings(
     let names: Vec<&str> = family.shapes.iter().map(|p| family.name_of(p)).collect();
     let mut values: Vec<Option<Vec<Value>>> = vec![None; family.shapes.len()];
     let mut errors = Vec::new();
-    for argument in arguments {
+    let words: Vec<&str> = arguments.iter().map(|argument| argument.name.as_str()).collect();
+    for (argument, mut meant) in arguments.iter().zip(name::each_position(&words, &names)) {
         // Of an angle its own name, or that of its tangent.
-        let mut meant = name::positions(&argument.name, &names);
-        let tangent = meant.is_empty();
+        let tangent = name::positions(&argument.name, &names).is_empty();
         if tangent {
             let tangents: Vec<&str> = family.shapes.iter().map(|p| p.name.as_str()).collect();
             meant.extend(name::position(&argument.name, &tangents));

@@ -431,11 +431,24 @@ fn a_list_has_one_value_or_several() {
     let run = folder.run(&["eval", "w.basis", "--shape", "w=2", "--at", "t=1/2"]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
     assert!(run.stdout.starts_with("W at w[0] = 2, w[1] = 2, t = 1/2\n"), "{}", run.stdout);
-    let run = folder.run(&["eval", "w.basis", "--shape", "w=2", "--shape", "w[1]=3", "--at", "t=1/2"]);
-    assert_eq!((run.code, run.stderr.matches("error").count()), (2, 1));
-    assert!(run.stderr.contains("`w[1]` is given twice"), "{}", run.stderr);
-    let run = folder.run(&["plot", "w.basis", "--shape", "w=1..2", "-o", "-"]);
-    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    // An entry of its own counts more than all, wherever it stands.
+    for shapes in [["w=2", "w[1]=3"], ["w[1]=3", "w=2"]] {
+        let run =
+            folder.run(&["eval", "w.basis", "--shape", shapes[0], "--shape", shapes[1], "--at", "t=1/2"]);
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+        assert!(run.stdout.starts_with("W at w[0] = 2, w[1] = 3, t = 1/2\n"), "{}", run.stdout);
+    }
+    for twice in ["w[1]=4", "w=4"] {
+        let shapes = ["--shape", "w=2", "--shape", "w[1]=3", "--shape", twice];
+        let run = folder.run(&[&["eval", "w.basis", "--at", "t=1/2"], &shapes[..]].concat());
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains("is given twice"), "{}", run.stderr);
+    }
+    for shape in [&["w=1..2"][..], &["w=1..2", "w[0]=3"]] {
+        let shapes = shape.iter().flat_map(|shape| ["--shape", *shape]).collect::<Vec<_>>();
+        let run = folder.run(&[&["plot", "w.basis"], &shapes[..], &["-o", "-"]].concat());
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    }
 }
 
 #[test]

@@ -137,9 +137,7 @@ fn expression<'a>(
         Step::Unless(a, b, c) => {
             (language.unless(&[*a, *b, *c].map(|k| within(k, first_factor))), Form::Call)
         }
-        Step::Less(a, b, c, d) => {
-            (language.less(&[*a, *b, *c, *d].map(|k| within(k, first_factor))), Form::Call)
-        }
+        Step::Less(a, b) => (language.less(&[*a, *b].map(|k| within(k, first_factor))), Form::Call),
         Step::CutOff(a) => (language.cut_off(&texts[*a].value.text), Form::Call),
     };
     let depends = |which: fn(&Value) -> bool| step.operands().iter().any(|k| which(&texts[*k].value));
@@ -202,7 +200,7 @@ mod tests {
         fn unless(&self, parts: &[String; 3]) -> String {
             panic!("{parts:?} is not written here")
         }
-        fn less(&self, parts: &[String; 4]) -> String {
+        fn less(&self, parts: &[String; 2]) -> String {
             panic!("{parts:?} is not written here")
         }
         fn cut_off(&self, name: &str) -> String {

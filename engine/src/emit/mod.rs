@@ -90,8 +90,8 @@ pub trait Language {
     /// 0 where the first two expressions are equal, else the third; all can stand beside an operator, and so can this.
     fn unless(&self, parts: &[String; 3]) -> String;
 
-    /// The third of four expressions where the first is less than the second, else the fourth: as [`unless`](Self::unless).
-    fn less(&self, parts: &[String; 4]) -> String;
+    /// 1 where the first of two expressions is less than the second, else 0: as [`unless`](Self::unless).
+    fn less(&self, parts: &[String; 2]) -> String;
 
     /// A name, or 0 where its value is negative, as an expression of the form of a call.
     fn cut_off(&self, name: &str) -> String;

@@ -31,7 +31,10 @@ pub(crate) const FUNCTIONS: [&str; 8] = ["b", "B", "N", "f", "F", "phi", "φ", "
 pub(crate) const VARIABLES: [&str; 10] = ["s", "t", "u", "v", "x", "y", "z", "ξ", "θ", "φ"];
 
 /// What to write for a function under a name from elsewhere; the argument stands for `…`.
-pub(crate) const OTHER_NAMES: [(&str, &str); 31] = [
+pub(crate) const OTHER_NAMES: [(&str, &str); 34] = [
+    ("delta", "b[0] = …; b[i] = … for i in 1..=n;"),
+    ("δ", "b[0] = …; b[i] = … for i in 1..=n;"),
+    ("kronecker", "b[0] = …; b[i] = … for i in 1..=n;"),
     ("int", "integral(…)"),
     ("integrate", "integral(…)"),
     ("Integrate", "integral(…)"),

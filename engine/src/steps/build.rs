@@ -194,9 +194,9 @@ impl Builder {
         self.push(Step::Unless(a, b, c))
     }
 
-    /// c where a < b, else d.
-    pub fn less(&mut self, a: usize, b: usize, c: usize, d: usize) -> usize {
-        if c == d { c } else { self.push(Step::Less(a, b, c, d)) }
+    /// 1 where a < b, else 0.
+    pub fn less(&mut self, a: usize, b: usize) -> usize {
+        self.push(Step::Less(a, b))
     }
 
     /// a, or 0 where a is negative.
@@ -230,7 +230,7 @@ impl Builder {
                 Step::Div(a, b) => self.div(at(*a), at(*b)),
                 Step::Call(function, a) => self.call(*function, at(*a)),
                 Step::Unless(a, b, c) => self.unless(at(*a), at(*b), at(*c)),
-                Step::Less(a, b, c, d) => self.less(at(*a), at(*b), at(*c), at(*d)),
+                Step::Less(a, b) => self.less(at(*a), at(*b)),
                 Step::CutOff(a) => self.cut_off(at(*a)),
             };
             if let Some(name) = other.name(k) {
@@ -268,7 +268,7 @@ impl Builder {
                 Step::Div(a, b) => Step::Div(at(a), at(b)),
                 Step::Call(function, a) => Step::Call(function, at(a)),
                 Step::Unless(a, b, c) => Step::Unless(at(a), at(b), at(c)),
-                Step::Less(a, b, c, d) => Step::Less(at(a), at(b), at(c), at(d)),
+                Step::Less(a, b) => Step::Less(at(a), at(b)),
                 Step::CutOff(a) => Step::CutOff(at(a)),
             });
         }

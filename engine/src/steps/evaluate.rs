@@ -53,7 +53,7 @@ impl Steps {
                 Step::Call(function, a) => at(*a).call(*function)?,
                 Step::Unless(a, b, _) if at(*a).is(at(*b)) => N::constant(&Rational::ZERO),
                 Step::Unless(_, _, c) => at(*c).clone(),
-                Step::Less(a, b, c, d) => at(if at(*a).is_less(at(*b))? { *c } else { *d }).clone(),
+                Step::Less(a, b) => N::constant(&Rational::from(i64::from(at(*a).is_less(at(*b))?))),
                 Step::CutOff(a) => at(*a).cut_off(),
             };
             values.push(value);

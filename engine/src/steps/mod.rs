@@ -67,8 +67,8 @@ pub enum Step {
     Call(Function, usize),
     /// 0 where a = b, else c.
     Unless(usize, usize, usize),
-    /// c where a < b, else d.
-    Less(usize, usize, usize, usize),
+    /// 1 where a < b, else 0.
+    Less(usize, usize),
     /// a, or 0 where a is negative: exactly a is nonnegative.
     CutOff(usize),
 }
@@ -97,9 +97,10 @@ impl Step {
         match *self {
             Self::Input(_) | Self::Constant(_) => Vec::new(),
             Self::Neg(a) | Self::Call(_, a) | Self::CutOff(a) => vec![a],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Less(a, b) => {
+                vec![a, b]
+            }
             Self::Unless(a, b, c) => vec![a, b, c],
-            Self::Less(a, b, c, d) => vec![a, b, c, d],
         }
     }
 }

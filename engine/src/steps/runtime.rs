@@ -70,9 +70,16 @@ impl Builder {
     /// `macro_support::affine_bernstein`: as [`bernstein`](Self::bernstein) for s + x = 1, in the smaller of both.
     pub(super) fn affine_bernstein(&mut self, points: &[usize], s: usize, x: usize) -> usize {
         let degree = points.len().saturating_sub(1);
-        let smaller = self.less(x, s, x, s);
+        // One of two numbers, which is that times 1 and the other one times 0.
+        let (is_first, one) = (self.less(x, s), self.one());
+        let is_last = self.sub(one, is_first);
+        let mut either = |a: usize, b: usize| {
+            let (a, b) = (self.mul(a, is_first), self.mul(b, is_last));
+            self.add(a, b)
+        };
+        let smaller = either(x, s);
         let from_its_end: Vec<usize> =
-            (0..points.len()).map(|k| self.less(x, s, points[k], points[degree - k])).collect();
+            (0..points.len()).map(|k| either(points[k], points[degree - k])).collect();
         let Some((first, rest)) = from_its_end.split_first() else { return self.zero() };
         let (mut sum, mut lost, mut power) = (*first, self.zero(), self.one());
         for (point, k) in rest.iter().zip(1..) {

@@ -247,24 +247,33 @@ impl Case {
         }
     }
 
-    /// The shape values, and what is computed from them.
-    fn scalars<N: Number>(&self, of: &dyn Fn(f64) -> N) -> Vec<N> {
-        let mut all: Vec<N> = self.shapes.iter().map(|shape| of(*shape)).collect();
-        if let Some(derived) = self.steps().derived() {
+    /// The shape values, and what is computed from them in a kind of floats.
+    fn scalars<N: Number>(&self, floats: Floats, derived_in: Floats, of: &dyn Fn(f64) -> N) -> Vec<N> {
+        fn derived<M: Number>(steps: &Steps, shapes: &[M]) -> Vec<M> {
             let input = |input: Input| match input {
-                Input::Shape(k) => all[k].clone(),
+                Input::Shape(k) => shapes[k].clone(),
                 other => panic!("{other:?}"),
             };
-            let derived = derived.steps.evaluate(input).expect("floats divide");
-            all.extend(derived);
+            steps.evaluate(input).expect("floats divide")
+        }
+        let mut all: Vec<N> = self.shapes.iter().map(|shape| of(*shape)).collect();
+        let steps = self.steps();
+        if let Some(computed) = steps.derived() {
+            let computed = if floats == derived_in {
+                derived(&computed.steps, &all)
+            } else {
+                let shapes: Vec<f64> = self.shapes.iter().map(|shape| floats.nearest(*shape)).collect();
+                derived(&computed.steps, &shapes).into_iter().map(of).collect()
+            };
+            all.extend(computed);
         }
         all
     }
 
     /// The ends of the domain and the knots between its spans, as a program has them.
     fn knots(&self, floats: Floats) -> Vec<f64> {
-        fn knots<N: Number>(case: &Case, of: &dyn Fn(f64) -> N) -> Vec<N> {
-            let scalars = case.scalars(of);
+        fn knots<N: Number>(case: &Case, floats: Floats, of: &dyn Fn(f64) -> N) -> Vec<N> {
+            let scalars = case.scalars(floats, floats, of);
             let input = |input: Input| match input {
                 Input::Shape(k) => scalars[k].clone(),
                 other => panic!("{other:?}"),
@@ -272,8 +281,8 @@ impl Case {
             case.steps().knots().evaluate(input).expect("floats divide")
         }
         match floats {
-            Floats::Single => knots(self, &|x| x as f32).into_iter().map(f64::from).collect(),
-            Floats::Double => knots(self, &|x| x),
+            Floats::Single => knots(self, floats, &|x| x as f32).into_iter().map(f64::from).collect(),
+            Floats::Double => knots(self, floats, &|x| x),
         }
     }
 
@@ -359,22 +368,25 @@ impl Case {
     /// and second derivatives of the functions, the point, and the point again with two derivatives; of another one the
     /// partial derivatives of the functions and those of the patch after the point. At last for each order of contact,
     /// after and before, the control points with those that it determines.
-    pub fn expected(&self, floats: Floats) -> Vec<Expected> {
+    ///
+    /// What depends on the shape values only is computed in `derived_in`.
+    pub fn expected(&self, floats: Floats, derived_in: Floats) -> Vec<Expected> {
         match floats {
-            Floats::Single => self.results::<f32>(floats, &|x| x as f32, &|x| f64::from(*x)),
-            Floats::Double => self.results::<f64>(floats, &|x| x, &|x| *x),
+            Floats::Single => self.results::<f32>(floats, derived_in, &|x| x as f32, &|x| f64::from(*x)),
+            Floats::Double => self.results::<f64>(floats, derived_in, &|x| x, &|x| *x),
         }
     }
 
     fn results<N: Number>(
         &self,
         floats: Floats,
+        derived_in: Floats,
         of: &dyn Fn(f64) -> N,
         to: &dyn Fn(&N) -> f64,
     ) -> Vec<Expected> {
         let whole_family = self.steps();
         let mut all = Vec::new();
-        let scalars = self.scalars(of);
+        let scalars = self.scalars(floats, derived_in, of);
         let on_spans = self.on_spans(&whole_family);
         let knots = if on_spans.is_empty() { Vec::new() } else { self.knots(floats) };
         let exact_shapes: Vec<Rational> = self.shapes.iter().map(|shape| fraction(*shape)).collect();

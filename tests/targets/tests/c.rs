@@ -138,7 +138,7 @@ fn c_computes_what_the_steps_say() {
             let code = case.code(&language);
             write(folder, &format!("{}.h", case.name), &case.emit(&language));
             write(folder, "main.c", &program(&case, floats, &code));
-            let expected = case.expected(floats);
+            let expected = case.expected(floats, Floats::Double);
             for compiler in &compilers {
                 for (flags, rounds) in flags(&case) {
                     let strict = [

@@ -107,7 +107,7 @@ fn all_cases(numpy: bool, kinds: &[Floats]) {
             let own_sines = numpy && case.calls();
             let rounds =
                 if *floats == Floats::Single || own_sines { Rounds::Fused } else { Rounds::EveryStep };
-            if let Err(error) = compare(&printed, &case.expected(*floats), rounds) {
+            if let Err(error) = compare(&printed, &case.expected(*floats, *floats), rounds) {
                 wrong.push(format!("{floats:?}: {error}"));
             }
         }

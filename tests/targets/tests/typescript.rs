@@ -97,7 +97,7 @@ fn node_computes_what_the_steps_say() {
         write(folder, "main.js", &program(case));
         let printed = run(folder, "node", &["main.js"]);
         let rounds = if case.calls() { Rounds::Fused } else { Rounds::EveryStep };
-        if let Err(error) = compare(&printed, &case.expected(Floats::Double), rounds) {
+        if let Err(error) = compare(&printed, &case.expected(Floats::Double, Floats::Double), rounds) {
             wrong.push(error);
         }
     }

@@ -166,7 +166,8 @@ fn lines(numbers: &[f32]) -> String {
 /// The results of a case are within the proved bounds.
 fn check(gpu: &Gpu, case: &Case) -> Result<(), String> {
     let own = case.code(&Shader::Wgsl).name;
-    let (samples, mut expected) = (case.samples(Floats::Single), case.expected(Floats::Single));
+    let (samples, mut expected) =
+        (case.samples(Floats::Single), case.expected(Floats::Single, Floats::Single));
     if case.calls() || case.code(&Shader::Wgsl).has_ends_in_parts() {
         // (a − t) + b may be computed as (a + b) − t in WGSL: next to an end such as π/2, of which a + b has more digits
         // than a float, the error is small beside 1 only.

@@ -108,8 +108,9 @@ impl Language for C {
         format!("({a} == {b} ? {} : {c})", self.literal(&Rational::ZERO))
     }
 
-    fn less(&self, [a, b, c, d]: &[String; 4]) -> String {
-        format!("({a} < {b} ? {c} : {d})")
+    fn less(&self, [a, b]: &[String; 2]) -> String {
+        let [one, zero] = [Rational::ONE, Rational::ZERO].map(|x| self.literal(&x));
+        format!("({a} < {b} ? {one} : {zero})")
     }
 
     fn cut_off(&self, name: &str) -> String {

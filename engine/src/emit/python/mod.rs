@@ -231,8 +231,9 @@ impl Language for Python {
         format!("({c} * ({a} != {b}))")
     }
 
-    fn less(&self, [a, b, c, d]: &[String; 4]) -> String {
-        format!("({c} * ({a} < {b}) + {d} * ({a} >= {b}))")
+    fn less(&self, [a, b]: &[String; 2]) -> String {
+        // Of the type of what is compared.
+        format!("(({a} < {b}) * ({a} * 0.0 + 1.0))")
     }
 
     fn cut_off(&self, name: &str) -> String {

@@ -302,10 +302,10 @@ impl Language for Shader {
         }
     }
 
-    fn less(&self, [a, b, c, d]: &[String; 4]) -> String {
+    fn less(&self, [a, b]: &[String; 2]) -> String {
         match self {
-            Self::Wgsl => format!("select({d}, {c}, {a} < {b})"),
-            Self::Glsl => format!("({a} < {b} ? {c} : {d})"),
+            Self::Wgsl => format!("select(0.0f, 1.0f, {a} < {b})"),
+            Self::Glsl => format!("({a} < {b} ? 1.0 : 0.0)"),
         }
     }
 

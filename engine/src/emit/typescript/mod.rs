@@ -178,8 +178,9 @@ impl Language for TypeScript {
         format!("({a} === {b} ? 0.0 : {c})")
     }
 
-    fn less(&self, [a, b, c, d]: &[String; 4]) -> String {
-        format!("({a} < {b} ? {c} : {d})")
+    fn less(&self, [a, b]: &[String; 2]) -> String {
+        let [one, zero] = [Rational::ONE, Rational::ZERO].map(|x| self.literal(&x));
+        format!("({a} < {b} ? {one} : {zero})")
     }
 
     fn cut_off(&self, name: &str) -> String {

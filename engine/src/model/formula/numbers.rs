@@ -107,7 +107,8 @@ pub(crate) fn range_of(
     let end = |scope: &mut Scope<'_>, end: Option<&Limit>| match end {
         None => Some(End::Infinite),
         Some(Limit { value, included }) => {
-            let value = scope.number(value, "the end of a range")?;
+            let help = "the ends of an interval in a domain of several variables are numbers; a triangle is `domain triangle (u, v, w);`, with w = 1 - u - v";
+            let value = scope.number_or(value, "the end of a range", help)?;
             Some(if *included { End::Included(value) } else { End::Excluded(value) })
         }
     };

@@ -75,7 +75,9 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
             }
             Verdict::Refuted(witness) => {
                 let stated = on(piece, witness.of_statement());
-                return Verdict::Refuted(Box::new(witness.about(&stated)));
+                let mut witness = witness.about(&stated);
+                witness.notes.extend(side(family, part.0, &witness.point()));
+                return Verdict::Refuted(Box::new(witness));
             }
             Verdict::Undecided(left) => open = open.or(Some(left)),
         }
@@ -84,6 +86,19 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
         Some(left) => Verdict::Undecided(left),
         None => Verdict::Proved(Evidence::new(found.unwrap_or_default(), steps).by(ways)),
     }
+}
+
+/// Which span is meant where a point is an inner knot, that of two spans.
+fn side(family: &Family, span: usize, point: &str) -> Option<String> {
+    let piece = family.pieces.get(span)?;
+    let own = piece.domain.first()?;
+    let variable = piece.analytic.angle(own.var).map_or(&own.name, |angle| &angle.name);
+    let [low, high] = piece.end_texts()?;
+    let value = |name: &str| point.split(", ").find_map(|part| part.strip_prefix(name)?.strip_prefix(" = "));
+    // A knot is a number or a shape parameter.
+    let is_at = |end: &String| value(variable) == Some(value(end).unwrap_or(end));
+    let is_inner = span > 0 && is_at(&low) || span + 1 < family.pieces.len() && is_at(&high);
+    is_inner.then(|| format!("there the functions are those {}", on(piece, "").trim_start()))
 }
 
 /// At each inner knot the derivatives from both sides.

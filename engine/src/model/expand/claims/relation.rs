@@ -116,6 +116,12 @@ fn ends_cross(scope: &mut Scope<'_>, relation: &Relation) -> Option<bool> {
     Some(crosses)
 }
 
+/// Whether a list is one of so many decimals with commas, `[0,5, 0,25]`: of twice as many whole numbers.
+fn is_of_decimals(list: &Expr, count: usize) -> bool {
+    let is_whole = |e: &Expr| matches!(&e.kind, syntax::ExprKind::Number(x) if x.is_integer());
+    matches!(&list.kind, syntax::ExprKind::List(all) if all.len() == 2 * count && all.iter().all(is_whole))
+}
+
 /// Left side minus right side, component by component; a lone 0 stands for all components.
 fn differences(
     scope: &mut Scope<'_>,
@@ -153,6 +159,9 @@ fn differences(
                     0 => String::from("write the values of the left side"),
                     n if family => {
                         format!("compare with a family of {}", crate::plural::count(n, "function"))
+                    }
+                    n if is_of_decimals(written_right, n) => {
+                        format!("decimals are written with a point: {n} values such as `0.5`")
                     }
                     n => format!("write {}", crate::plural::count(n, "value")),
                 }));
