@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use basis_engine::claim::Expected;
 use basis_engine::{ClaimKind, Family, Subject, Verdict};
 use basis_kernel::Values;
 
@@ -145,6 +146,7 @@ fn others(items: &[Decided]) -> String {
         let verdict = match claim.verdict {
             Verdict::Proved(_) => "proved",
             Verdict::Refuted(_) => "refuted",
+            Verdict::Undecided(_) if claim.claim.expected == Expected::Open => "open",
             Verdict::Undecided(_) => "undecided",
         };
         *counts.entry(verdict).or_default() += 1;

@@ -52,8 +52,11 @@ pub(crate) fn run(arguments: &EmitArguments) -> Status {
             wanted.push(Wanted { checked, name });
         }
     }
-    if !errors.is_empty() {
-        return refuse(sources, &errors, Status::Wrong);
+    let is_wrong = errors.iter().any(|d| d.severity == Severity::Error);
+    // Warnings, such as that a conjecture is true, are said beside what is written.
+    let status = refuse(sources, &errors, Status::Wrong);
+    if is_wrong {
+        return status;
     }
     let spec = arguments.file.to_string_lossy().replace('\\', "/");
     let command = command(arguments, &spec);

@@ -278,7 +278,10 @@ fn within(family: &Family, (low, high): &Part, shape: &Parameter) -> String {
 fn range_text(name: &str, (low, high): &Part, poles: &Part) -> String {
     let end = |c: &Coordinate| match c {
         Coordinate::Rational(x) => x.to_string(),
-        Coordinate::Algebraic(x) => format!("({})", x.describe(name)),
+        Coordinate::Algebraic(x) => match x.reading(name) {
+            root if root.contains(' ') => format!("({root})"),
+            root => root,
+        },
     };
     if let (Some(Coordinate::Rational(a)), Some(Coordinate::Rational(b))) = (low, high)
         && a == b

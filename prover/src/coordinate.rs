@@ -14,12 +14,15 @@ pub enum Coordinate {
 }
 
 impl Coordinate {
-    /// The coordinate as text, such as `λ = -3` or `t = root of -2 + t^2 between 1 and 3/2`.
+    /// The coordinate as text for readers, such as `λ = -3`, `t = sqrt(2)` or `t = root of -1 - t + t^3 between 1 and 3/2`.
     pub fn describe(&self, name: &str) -> String {
-        format!("{name} = {}", self.value(name))
+        match self {
+            Self::Rational(x) => format!("{name} = {x}"),
+            Self::Algebraic(x) => format!("{name} = {}", x.reading(name)),
+        }
     }
 
-    /// The value alone, such as `-3` or `root of -2 + t^2 between 1 and 3/2`, a polynomial in the given name.
+    /// The value alone for programs, such as `-3` or `root of -2 + t^2 between 1 and 3/2`, a polynomial in the given name.
     pub fn value(&self, name: &str) -> String {
         match self {
             Self::Rational(x) => x.to_string(),

@@ -13,7 +13,7 @@ use basis_engine::{Disk, Family, Item, Library, Prover, Selected, Severity, Subj
 
 use crate::args::{ExplainArguments, ExplainFormat};
 use crate::output::{self, Status, complain};
-use crate::{eval, spec};
+use crate::{eval, name, spec};
 use facts::{ClaimFacts, Equation, Facts, FamilyFacts, MatrixFacts, TheoremFacts};
 
 /// Explains the family, join or theorem that the arguments name, or all of the file, families in their lowest orders.
@@ -268,11 +268,18 @@ fn summary(text: &mut String, claims: &[ClaimFacts]) {
     if claims.is_empty() {
         return;
     }
-    let count = |verdict: &str| claims.iter().filter(|c| c.verdict == verdict).count();
-    let counts: Vec<String> = ["proved", "refuted", "undecided"]
+    let word = |claim: &ClaimFacts| match (claim.verdict, claim.declared) {
+        ("undecided", "conjecture") => "open conjecture",
+        (verdict, _) => verdict,
+    };
+    let counts: Vec<String> = ["proved", "refuted", "undecided", "open conjecture"]
         .into_iter()
-        .filter(|verdict| count(verdict) > 0)
-        .map(|verdict| format!("{} {verdict}", count(verdict)))
+        .map(|wanted| (claims.iter().filter(|c| word(c) == wanted).count(), wanted))
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, word)| match word {
+            "open conjecture" => name::count(count, word),
+            _ => format!("{count} {word}"),
+        })
         .collect();
     *text += &format!("\n  Claims: {}\n", counts.join(", "));
     let mut groups: Vec<(&ClaimFacts, usize)> = Vec::new();
@@ -289,7 +296,7 @@ fn summary(text: &mut String, claims: &[ClaimFacts]) {
         let (shown, more) = if size == 1 {
             (&first.claim, String::new())
         } else {
-            (&first.written, format!(" ({})", crate::name::count(size, "claim")))
+            (&first.written, format!(" ({})", name::count(size, "claim")))
         };
         let wrong = if first.as_declared { "" } else { ", not as declared" };
         *text += &format!("    {:9} {shown}{more}{wrong}\n", first.verdict);

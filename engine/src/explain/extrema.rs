@@ -10,13 +10,13 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::algebra::real::algebraic::{Algebraic, number};
 use crate::algebra::real::field::Field;
+use crate::algebra::real::reading::{in_square_roots, of_least_degree};
 use crate::algebra::real::roots::isolate;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::model::angle::{Kind, multiple_of_pi};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::collections::sort::sort_unique;
 use basis_prover::{Coordinate, candidates, typical};
 
 /// The work for the extrema of a family.
@@ -46,7 +46,8 @@ pub struct Extremum {
 
 /// The functions of one variable that are negative somewhere on the domain; an end that the domain leaves out counts, as a
 /// limit. With shape parameters for all of their values, where zeros and extrema are quotients of polynomials in them, or at
-/// values that are named. Nothing is said of functions that contain π, exp(r) or a variable beside its sine.
+/// values that are named. Of functions that contain π or exp(r) what is no value at an end of the domain is a decimal. Nothing is
+/// said of functions that contain a variable beside its sine.
 pub fn extrema(family: &Family) -> Vec<Extrema> {
     if family.interval().is_none() {
         return Vec::new();
@@ -54,13 +55,13 @@ pub fn extrema(family: &Family) -> Vec<Extrema> {
     let mut all = Vec::new();
     basis_prover::within(WORK, &mut || {
         let work = &mut Work::new(WORK);
-        let sample = sample(family);
+        let (sample, numbers) = (sample(family), family.analytic.numbers());
         for (k, f) in family.functions.iter().enumerate() {
             let label = family.function_label(k);
             let found = match parametric::of_function(family, &f.value, work) {
                 Some(found) => found.map(|found| Extrema { label, ..found }),
                 // Without work for one function there is none for the others.
-                None => match at_sample(family, (&label, &f.value), &sample, work) {
+                None => match at_sample(family, (&label, &f.value), &sample, &numbers, work) {
                     Some(found) => found,
                     None => return,
                 },
@@ -94,15 +95,19 @@ fn at_sample(
     family: &Family,
     (label, f): (&str, &Fraction),
     sample: &[(Var, Rational)],
+    numbers: &[Var],
     work: &mut Work,
 ) -> Option<Option<Extrema>> {
     let Some((var, low, high)) = family.interval() else { return Some(None) };
-    let put = |f: &Fraction| {
+    let put = |f: &Fraction, of_numbers: bool| {
+        let mut wanted = sample.iter().filter(|(v, _)| numbers.contains(v) == of_numbers);
         let put = |f: Fraction, (v, x): &(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
-        sample.iter().try_fold(f.clone(), put)
+        wanted.try_fold(f.clone(), put)
     };
     let part = |p: &Poly| Univariate::from_poly(p, var);
-    let parts = put(f).and_then(|f| Some((part(f.numer())?, part(f.denom())?)));
+    let Some(exact) = put(f, false) else { return Some(None) };
+    let is_exact = !numbers.iter().any(|v| exact.depends_on(*v));
+    let parts = put(&exact, true).and_then(|f| Some((part(f.numer())?, part(f.denom())?)));
     let Some((numer, denom)) = parts else { return Some(None) };
     if [low, high].iter().any(|end| denom.sign_at(end) == 0) {
         return Some(None); // without a bound next to an end that the domain leaves out
@@ -111,8 +116,11 @@ fn at_sample(
         return Some(None);
     };
     let angle = family.analytic.angle(var);
+    let is_end = |x: &Coordinate| matches!(x, Coordinate::Rational(x) if x == low || x == high);
+    let at_place = |f: &Fraction, x: &Rational| f.substitute(var, &Fraction::constant(x.clone()));
     let place = |x: &Coordinate| {
-        let own = format!("{} = {}", family.names[var.0], text(x));
+        let is_known = is_exact || is_end(x);
+        let own = format!("{} = {}", family.names[var.0], if is_known { text(x) } else { about(x) });
         let (Some(angle), Coordinate::Rational(x)) = (angle, x) else { return own };
         if angle.kind != Kind::Linear {
             let end = [low, high].into_iter().position(|end| end == x).map(|k| &angle.ends[k]);
@@ -120,21 +128,37 @@ fn at_sample(
                 return format!("{} = {end}", angle.name);
             }
             // Where the tangent vanishes, its argument does.
-            let tangent = angle.tangent().substitute(var, &Fraction::constant(x.clone()));
-            if tangent.is_some_and(|x| x.is_zero()) {
+            if at_place(&angle.tangent(), x).is_some_and(|x| x.is_zero()) {
                 let shift = &angle.shift;
                 let shown = if angle.turns { shift.to_string() } else { multiple_of_pi(shift) };
                 return format!("{} = {shown}", angle.name);
             }
             return own;
         }
-        let itself = put(&angle.tangent()).and_then(|f| f.substitute(var, &Fraction::constant(x.clone())));
-        itself.map_or(own, |f| format!("{} = {}", angle.name, super::written(family, &f)))
+        let itself = put(&angle.tangent(), false).and_then(|f| at_place(&f, x));
+        match itself {
+            Some(f) if is_known => format!("{} = {}", angle.name, super::written(family, &f)),
+            Some(f) => match put(&f, true).and_then(|f| f.as_constant()) {
+                Some(x) => format!("{} = {}", angle.name, about(&Coordinate::Rational(x))),
+                None => own,
+            },
+            None => own,
+        }
     };
     let at = |points: &[Coordinate]| points.mapped(place);
-    let extremum =
-        |(value, points): (Coordinate, Vec<Coordinate>)| Extremum { value: text(&value), at: at(&points) };
-    let shown = sample.iter().filter(|(v, _)| family.shapes.iter().any(|p| p.var == *v));
+    let extremum = |(value, points): (Coordinate, Vec<Coordinate>)| {
+        let known = points.iter().filter(|x| is_end(x)).find_map(|x| match x {
+            Coordinate::Rational(x) => at_place(&exact, x),
+            Coordinate::Algebraic(_) => None,
+        });
+        let value = match known {
+            _ if is_exact => text(&value),
+            Some(value) => super::written(family, &value),
+            None => about(&value),
+        };
+        Extremum { value, at: at(&points) }
+    };
+    let shown = sample.iter().filter(|(v, _)| family.shapes.iter().any(|p| p.var == *v && f.depends_on(*v)));
     let shown: Vec<String> = shown.map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
     let label = if shown.is_empty() { label.to_owned() } else { format!("{label} at {}", shown.join(", ")) };
     Some(Some(Extrema { label, zeros: at(&zeros), minimum: extremum(least), maximum: extremum(greatest) }))
@@ -203,7 +227,7 @@ fn roots(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work) -> Op
         root.detect_rational(&p, work)?;
         all.push(match number(&p, &root)? {
             Ok(x) => Coordinate::Rational(x),
-            Err(x) => Coordinate::Algebraic(quadratic(&x.tidy(work)?, work)?),
+            Err(x) => Coordinate::Algebraic(of_least_degree(&x.tidy(work)?, work)?),
         });
     }
     Some(all)
@@ -228,7 +252,7 @@ fn value(numer: &Univariate, denom: &Univariate, x: &Coordinate, work: &mut Work
                 Ok(x) => Coordinate::Rational(x),
                 Err(x) => match rational(&x, work)? {
                     Some(x) => Coordinate::Rational(x),
-                    None => Coordinate::Algebraic(quadratic(&x, work)?),
+                    None => Coordinate::Algebraic(of_least_degree(&x, work)?),
                 },
             })
         }
@@ -242,61 +266,6 @@ fn rational(x: &Algebraic, work: &mut Work) -> Option<Option<Rational>> {
     let Some(root) = all.first_mut() else { return Some(None) };
     root.detect_rational(x.polynomial(), work)?;
     Some(number(x.polynomial(), root)?.ok())
-}
-
-/// The number as a root of a quadratic factor of its polynomial, if it is one; else of what is left without these factors.
-/// Factors a·x² + b·x + c with whole numbers have values at 0, 1 and −1 that divide those of the polynomial.
-fn quadratic(x: &Algebraic, work: &mut Work) -> Option<Algebraic> {
-    const MOST: usize = 5_000;
-    let mut p = x.polynomial().primitive();
-    if p.degree() < 3 {
-        return Some(x.clone());
-    }
-    let as_root = |of: &Univariate| Algebraic::new(of, x.low().clone(), x.high().clone());
-    let at = |y: i64| {
-        let y = Rational::from(y);
-        p.coefficients().iter().rev().fold(Rational::ZERO, |sum, c| &(&sum * &y) + c).to_i64()
-    };
-    let [Some(c), Some(e), Some(f)] = [at(0), at(1), at(-1)].map(|value| value.and_then(divisors)) else {
-        return Some(x.clone());
-    };
-    if c.len() * e.len() * f.len() > MOST {
-        return Some(x.clone());
-    }
-    for c in &c {
-        for e in &e {
-            // a + b + c and a − b + c are ±e and ±f, up to the sign of all.
-            for (e, f) in f.iter().flat_map(|f| [(*e, *f), (*e, -f), (-e, *f), (-e, -f)]) {
-                // The sum is even, or there is no such factor.
-                let a = i64::midpoint(e, f) - c;
-                if (e + f) % 2 != 0 || a == 0 || p.degree() < 3 {
-                    continue;
-                }
-                work.spend(10 * p.degree() as u64)?;
-                let factor = Univariate::integers(&[*c, (e - f) / 2, a]);
-                let Some(rest) = p.div_exact(&factor) else { continue };
-                if factor.sign_at(x.low()) * factor.sign_at(x.high()) == -1 {
-                    return Some(as_root(&factor.normalized()).unwrap_or_else(|| x.clone()));
-                }
-                p = rest;
-            }
-        }
-    }
-    Some(as_root(&p.normalized()).unwrap_or_else(|| x.clone()))
-}
-
-/// The positive divisors of a number that is not 0; `None` of large ones.
-fn divisors(n: i64) -> Option<Vec<i64>> {
-    const LARGEST: u64 = 100_000_000;
-    let n = n.unsigned_abs();
-    if n == 0 || n > LARGEST {
-        return None;
-    }
-    let small = (1..).take_while(|k| k * k <= n).filter(|k| n.is_multiple_of(*k)).listed();
-    let large = small.iter().map(|k| n / k).listed();
-    let mut all = [small, large].concat();
-    sort_unique(&mut all);
-    Some(all.into_iter().map(|k| k as i64).listed())
 }
 
 fn compare(a: &Coordinate, b: &Coordinate, work: &mut Work) -> Option<Ordering> {
@@ -329,8 +298,16 @@ fn text(x: &Coordinate) -> String {
     match x {
         Coordinate::Rational(x) => x.to_string(),
         Coordinate::Algebraic(x) => {
-            square_root(x).unwrap_or_else(|| format!("{} ({})", decimal(x), x.describe("x")))
+            in_square_roots(x).unwrap_or_else(|| format!("{} ({})", decimal(x), x.describe("x")))
         }
+    }
+}
+
+/// The decimal of a number that is computed with approximations.
+fn about(x: &Coordinate) -> String {
+    match x {
+        Coordinate::Rational(x) => format!("about {:.9}", x.to_f64()),
+        Coordinate::Algebraic(x) => format!("about {}", decimal(x)),
     }
 }
 
@@ -341,35 +318,6 @@ fn decimal(x: &Algebraic) -> String {
         x.refine();
     }
     format!("{:.9}", x.low().to_f64())
-}
-
-/// A root of a quadratic polynomial a·x² + b·x + c as −b/(2a) ± q·√n with a square-free whole number n.
-fn square_root(x: &Algebraic) -> Option<String> {
-    let [c, b, a] = x.polynomial().coefficients() else { return None };
-    let middle = (-b).checked_div(&(a + a))?;
-    let discriminant = &(b * b) - &(&(a * c) * &Rational::from(4));
-    let mut n = discriminant.to_i64().filter(|n| (1..1_000_000_000_000).contains(n))?;
-    let mut outside = 1_i64;
-    let mut factor = 2_i64;
-    while factor * factor <= n && factor < 100_000 {
-        if n % (factor * factor) == 0 {
-            n /= factor * factor;
-            outside *= factor;
-        } else {
-            factor += 1;
-        }
-    }
-    let mut q = Rational::from(outside).checked_div(&(a + a))?.abs();
-    if x.compare(&middle) == Ordering::Less {
-        q = -q;
-    }
-    let root = |q: &Rational| if q.is_one() { format!("sqrt({n})") } else { format!("{q}*sqrt({n})") };
-    Some(match (middle.is_zero(), q.is_negative()) {
-        (true, true) => format!("-{}", root(&-&q)),
-        (true, false) => root(&q),
-        (false, true) => format!("{middle} - {}", root(&-&q)),
-        (false, false) => format!("{middle} + {}", root(&q)),
-    })
 }
 
 #[cfg(test)]

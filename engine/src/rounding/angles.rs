@@ -45,7 +45,7 @@ const HYPERBOLIC: i64 = 2 * ULP + 2;
 const TO_A_NUMBER: i64 = 3;
 
 /// What bounds assume of the elementary functions of a language, for families that need these.
-pub const ASSUMED: &str = "as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two";
+pub const ASSUMED: &str = "as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two; the float next to an end of the domain that is none, such as pi/2, is taken for that end";
 
 /// Whether the values of a family are computed by elementary functions, so that bounds assume something of these.
 pub fn needs_functions(family: &Family) -> bool {

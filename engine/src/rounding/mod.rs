@@ -17,7 +17,7 @@
 //! on the other side. So its bound is that of what is cut off.
 //!
 //! A fused multiplication and addition rounds less, so that the bounds hold for fused code, too. They hold as long as
-//! nothing overflows; each product that underflows adds half the smallest float.
+//! nothing overflows; each product that underflows is off by half the smallest float, which a division after it may enlarge.
 //!
 //! Sines, exponentials and the like are assumed to be within one unit in the last place; what comes out of them are inputs
 //! that are off; file `angles`. Where a float is that of an end such as π/2, the value is the one at the end.

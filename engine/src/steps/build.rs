@@ -14,6 +14,8 @@ pub struct Builder {
     names: Vec<(usize, String)>,
     folds_all: bool,
     ignores_scales: bool,
+    /// Whether the coordinates of [`Node::Bernstein`](crate::plan::Node::Bernstein) have the sum 1.
+    pub(super) sums_to_one: bool,
 }
 
 impl Builder {
@@ -26,6 +28,11 @@ impl Builder {
     /// Takes all [`Function::InversePowerOfTwo`] for 1: of results in which they cancel, as they round nothing.
     pub(crate) fn without_scales() -> Self {
         Self { ignores_scales: true, ..Self::default() }
+    }
+
+    /// With sums in Bernstein form whose coordinates have the sum 1.
+    pub(super) fn of_sums_to_one() -> Self {
+        Self { sums_to_one: true, ..Self::default() }
     }
 
     fn push(&mut self, step: Step) -> usize {

@@ -45,6 +45,9 @@ impl Builder {
                     continue;
                 }
                 Node::Part(whole, k) => values[whole.position()][*k],
+                Node::Bernstein { coefficients, s, x } if self.sums_to_one => {
+                    self.affine_bernstein(&all(coefficients), one(s), one(x))
+                }
                 Node::Bernstein { coefficients, s, x } => self.bernstein(&all(coefficients), one(s), one(x)),
                 Node::Combine { points, weights } => self.combination(&all(points), &all(weights)),
                 Node::SimplexSum { coefficients, at, degree } => {

@@ -416,7 +416,11 @@ impl Span<'_> {
             })
             .collect();
         let at = |input: Input| inputs.iter().find(|(other, _)| *other == input).map(|(_, step)| *step);
-        builder.inline(&lower(plan), &at)
+        // As the runtime does: of polynomials in the domain variable the coordinates have the sum 1.
+        let is_polynomial = self.form.is_affine && self.family.over.is_one() && pair.is_some();
+        let mut own = if is_polynomial { Builder::of_sums_to_one() } else { Builder::default() };
+        let outputs = own.plan(plan);
+        builder.inline(&own.finish(&outputs), &at)
     }
 
     /// The Bernstein coefficients of the numerators, one row for each.
@@ -452,11 +456,7 @@ impl Span<'_> {
                 _ => builder.sub(ends[1], ends[0]),
             };
             let [after, before] = self.distances(builder, t);
-            return [(before, 1), (after, 0)].map(|(distance, zero)| {
-                let coordinate = builder.div(distance, width);
-                // An end is what its float stands for.
-                builder.unless(t, ends[zero], coordinate)
-            });
+            return [before, after].map(|distance| builder.div(distance, width));
         };
         let rate = builder.constant(turn.rate.clone());
         let [after, before] = self.distances(builder, t).map(|distance| builder.mul(rate, distance));
@@ -475,22 +475,33 @@ impl Span<'_> {
         };
         [0, 1].map(|k| {
             let factor = builder.scalar(&turn.factors[k]);
-            let coordinate = builder.mul(sines[k], factor);
-            builder.unless(t, ends[1 - k], coordinate)
+            builder.mul(sines[k], factor)
         })
     }
 
-    /// t − low and high − t: ends that are numbers in parts.
+    /// t − low and high − t: ends that are numbers in parts. An end is what its float stands for: there the distance is 0, and
+    /// what is added to it, which is 0 everywhere, has its derivative.
     fn distances(&self, builder: &mut Builder, t: usize) -> [usize; 2] {
         [0, 1].map(|k| {
+            let end = builder.scalar(&self.ends[k]);
             let parts = match &self.ends[k] {
-                Scalar::Known(end) => builder.parts(end).to_vec(),
-                Scalar::Input(input) => vec![builder.input(*input)],
+                Scalar::Known(number) => builder.parts(number).to_vec(),
+                Scalar::Input(_) => vec![end],
             };
-            let difference = if k == 0 { builder.sub(t, parts[0]) } else { builder.sub(parts[0], t) };
-            parts[1..].iter().fold(difference, |sum, part| {
+            let difference = |builder: &mut Builder, end: usize| {
+                if k == 0 { builder.sub(t, end) } else { builder.sub(end, t) }
+            };
+            let first = difference(builder, parts[0]);
+            let distance = parts[1..].iter().fold(first, |sum, part| {
                 if k == 0 { builder.sub(sum, *part) } else { builder.add(sum, *part) }
-            })
+            });
+            if parts[1..].iter().all(|part| builder.constant_at(*part).is_some_and(Rational::is_zero)) {
+                return distance;
+            }
+            let [elsewhere, there] = [distance, difference(builder, end)];
+            let [elsewhere, not_there] = [elsewhere, there].map(|step| builder.unless(t, end, step));
+            let there = builder.sub(there, not_there);
+            builder.add(elsewhere, there)
         })
     }
 

@@ -731,3 +731,22 @@ fn multiples_of_an_angle_beside_it() {
     assert_eq!(found[0], "=", "{found:?}");
     assert_eq!(found.len(), 2, "{found:?}");
 }
+
+/// The tangent of half an angle has no largest value, and next to the lower end it is small.
+#[test]
+fn parameters_far_out_and_next_to_an_end() {
+    let found = counterexamples(
+        "family Angle {
+            shape 0 < α < pi;
+            domain 0 <= t <= α;
+            b[0] = sin(t);
+            refute t <= 3;
+            refute α <= 3;
+            refute α >= 1/16;
+            prove α <= 22/7;
+            refute α*cos(t) >= -3;
+            refute 2*t^2 + α >= 1/16;
+        }",
+    );
+    assert_eq!(found.len(), 5, "{found:?}");
+}

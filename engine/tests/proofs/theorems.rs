@@ -119,7 +119,7 @@ fn directions_where_a_factor_vanishes() {
     let expected = [
         "-1 at c = 1",
         "-1 at c = -1",
-        "0 at x = root of -2 + x^2 between",
+        "0 at x = sqrt(2)",
         "0 at λ = -2",
         "0 at λ = -2",
         "0 at y = 0",
@@ -155,7 +155,7 @@ fn irrational_counterexamples_name_the_control_points() {
         prove (k^2 - 2)^2*P[0] parallel P[0];
         prove (k^2 - 2)^2*(1 + dot(P[0], P[1])^2) > 0;",
     );
-    let root = "0 at k = root of -2 + k^2 between";
+    let root = "0 at k = sqrt(2)";
     for found in found {
         let named = |point: &str| found.contains(&format!("{point} = ("));
         assert!(found.starts_with(root) && named("P[0]"), "{found}");
@@ -284,7 +284,7 @@ fn inequalities_between_dot_products() {
         assert!(found[7].starts_with("-201/10000 at m = 1, P[0] = (101/100, 0"), "{}", found[7]);
         assert!(!found[8].starts_with('-'), "{}", found[8]);
         assert!(found[9].starts_with('-'), "{}", found[9]);
-        assert!(found[10].starts_with("0 at") && found[10].contains("root of -2 + k^2"), "{}", found[10]);
+        assert!(found[10].starts_with("0 at") && found[10].contains("k = -sqrt(2)"), "{}", found[10]);
     }
 }
 
@@ -300,7 +300,7 @@ fn a_factor_that_vanishes_only_where_other_scalars_are_not_simple() {
     for verdict in &found {
         assert!(verdict.starts_with("0 at"), "{verdict}");
     }
-    assert!(found[0].contains("t = 0") && found[2].contains("root of -1 + 2*t^2"), "{found:?}");
+    assert!(found[0].contains("t = 0") && found[2].contains("t = 1/2*sqrt(2)"), "{found:?}");
 }
 
 #[test]

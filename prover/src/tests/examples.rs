@@ -105,22 +105,14 @@ fn interior_zeros() {
 
 #[test]
 fn irrational_zeros_and_open_or_infinite_ranges() {
-    refuted("(t^2 - 2)^2 > 0", "0<=t<=2", "t = root of -2 + t^2 between 1.414 and 1.415: 0");
-    refuted(
-        "(t^2 - 2)^2 + (λ^2 - 3)^2 > 0",
-        "0<=t<=2, 0<=λ<=2",
-        "t = root of -2 + t^2 between 1.414213 and 1.414214, λ = root of -3 + λ^2 between 1.73205 and 1.732051: 0",
-    );
-    refuted(
-        "(t^2 + λ^2 - 1)^2 + (t-λ)^2 > 0",
-        "0<=t<=2, 0<=λ<=2",
-        "t = root of -1 + 2*t^2 between 0.707 and 0.708, λ = root of -1 + 2*λ^2 between 0.707 and 0.708: 0",
-    );
+    refuted("(t^2 - 2)^2 > 0", "0<=t<=2", "t = sqrt(2): 0");
+    refuted("(t^2 - 2)^2 + (λ^2 - 3)^2 > 0", "0<=t<=2, 0<=λ<=2", "t = sqrt(2), λ = sqrt(3): 0");
+    refuted("(t^2 + λ^2 - 1)^2 + (t-λ)^2 > 0", "0<=t<=2, 0<=λ<=2", "t = 1/2*sqrt(2), λ = 1/2*sqrt(2): 0");
     proved("(t^2 + λ^2 - 1)^2 + (t-λ)^2 >= 0", "0<=t<=2, 0<=λ<=2", "cylindrical decomposition");
     refuted(
         "(t^2 - 2)^2 + (λ^2 - 3)^2 + (t*λ-μ)^2> 0",
         "0<=t<=2, 0<=λ<=2, 0<=μ<=3",
-        "t = root of -2 + t^2 between 1.414213 and 1.414214, λ = root of -3 + λ^2 between 1.73205 and 1.732051, μ = root of -6 + μ^2 between 2.449489 and 2.44949: 0",
+        "t = sqrt(2), λ = sqrt(3), μ = sqrt(6): 0",
     );
     proved(
         "(t^2 - 2)^2 + (λ^2 - 3)^2 + (t*λ-μ)^2>= 0",

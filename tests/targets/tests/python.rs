@@ -183,6 +183,11 @@ from Pieces import Pieces
 first = jax.jit(lambda l, t: Quarter(l).values(t)[0])
 assert abs(float(first(0.5, 0.25)) - (1 - math.sin(0.25))*(1 - math.sin(0.25)/2)) < 1e-6
 assert abs(float(jax.grad(first, 1)(0.5, 0.25)) - Quarter(0.5).derivatives(0.25)[0]) < 1e-5
+# At both ends too, where coordinates are 0.
+for end in (0.0, math.pi/2):
+    for k, slope in enumerate(Quarter(0.5).derivatives(end)):
+        found = float(jax.grad(lambda t: Quarter(0.5).values(t)[k])(end))
+        assert abs(found - slope) < 1e-5, (end, k, found, slope)
 at = [0.0, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0]
 bump = jax.jit(lambda t: Pieces().values(t)[0])
 for t, value in zip(at, bump(jnp.array(at))):

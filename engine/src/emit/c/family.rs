@@ -107,10 +107,11 @@ impl Family<'_> {
         let epsilon = format!("{}_EPSILON", self.language.limits());
         text += "// Rounding errors of the values in units of ";
         text += &format!("{epsilon}: of |value| where ROUNDING_RELATIVE is 1, else absolute.\n");
-        text += "// They hold for fused operations too, as long as nothing overflows; a product that underflows adds\n";
-        text += "// half the smallest number.\n";
+        text += "// They hold for fused operations too, as long as nothing overflows; a product that underflows is off by\n";
+        text += "// half the smallest number, which a division after it may enlarge.\n";
         if code.assumes_functions() {
-            text += "// They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two.\n";
+            text += "// They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two. The float\n";
+            text += "// next to an end of the domain that is none, such as pi/2, is taken for that end.\n";
         }
         let bounds = code.rounding.iter().map(|error| bound_text(error.as_ref()));
         let bounds: Vec<(bool, String)> =

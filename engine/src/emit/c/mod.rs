@@ -93,7 +93,10 @@ impl Language for C {
         let name = match function {
             Function::InversePowerOfTwo => {
                 let one = self.literal(&Rational::ONE);
-                return format!("({one} / scalbn{suffix}({one}, ilogb{suffix}({argument})))");
+                let least = format!("{}_MIN", self.limits());
+                return format!(
+                    "({one} / fmax{suffix}(scalbn{suffix}({one}, ilogb{suffix}({argument})), {least}))"
+                );
             }
             Function::Sin => "sin",
             Function::Cos => "cos",

@@ -117,7 +117,7 @@ const INVERSE_POWER_OF_TWO: &str = r#"
 def _inverse_power_of_two(x):
     """The power of two by which a positive number becomes one from 1 to 2."""
     part = _call("frexp", x)[0]
-    return (part + part) / x
+    return (part + part) / (x + 2.3e-308)  # which is x itself, unless nothing is left of it
 "#;
 
 /// What a file with a family whose shape values overflow earlier in `float32` has beside that.
@@ -228,7 +228,8 @@ impl Language for Python {
     }
 
     fn unless(&self, [a, b, c]: &[String; 3]) -> String {
-        format!("({c} * ({a} != {b}))")
+        // Of the type of what is compared, though the other is a number of Python.
+        format!("({c} * (({a} != {b}) * ({a} * 0.0 + 1.0)))")
     }
 
     fn less(&self, [a, b]: &[String; 2]) -> String {
@@ -237,7 +238,8 @@ impl Language for Python {
     }
 
     fn cut_off(&self, name: &str) -> String {
-        format!("({name} * ({name} > 0.0))")
+        // At 0 with the derivative of what is cut off.
+        format!("({name} * ({name} >= 0.0))")
     }
 
     fn is_single(&self) -> bool {

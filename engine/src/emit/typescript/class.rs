@@ -116,11 +116,11 @@ impl Class<'_> {
             text += &format!("static readonly knots: readonly number[] = [{}];\n", knots.join(", "));
         }
         let mut about = vec![String::from(
-            "Rounding errors of the values, proved. They hold as long as nothing overflows; a product that underflows adds half the smallest number.",
+            "Rounding errors of the values, proved. They hold as long as nothing overflows; a product that underflows is off by half the smallest number, which a division after it may enlarge.",
         )];
         if code.assumes_functions() {
             about.push(String::from(
-                "They assume that Math.sin, cos, tan and expm1 are within one unit in the last place, Math.tanh within two.",
+                "They assume that Math.sin, cos, tan and expm1 are within one unit in the last place, Math.tanh within two. The float next to an end of the domain that is none, such as pi/2, is taken for that end.",
             ));
         }
         text += &documented(&about);

@@ -164,7 +164,9 @@ impl Language for TypeScript {
 
     fn call(&self, function: Function, argument: &str) -> String {
         let name = match function {
-            Function::InversePowerOfTwo => return format!("(2 ** -Math.floor(Math.log2({argument})))"),
+            Function::InversePowerOfTwo => {
+                return format!("(2 ** Math.min(1022, -Math.floor(Math.log2({argument}))))");
+            }
             Function::Sin => "sin",
             Function::Cos => "cos",
             Function::Tan => "tan",

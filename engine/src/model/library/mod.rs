@@ -28,6 +28,8 @@ struct Unit {
     families: Vec<(String, usize)>,
     /// The units whose families it may name, apart from its own and the prelude's.
     uses: Vec<usize>,
+    /// Whether one that it uses could not be read.
+    lacks_a_use: bool,
 }
 
 impl Unit {
@@ -149,7 +151,9 @@ impl<'f> Library<'f> {
     pub(crate) fn is_unread(&self, unit: usize, name: &str) -> bool {
         self.search(unit).into_iter().any(|u| {
             let unread = &self.units[u].spec.unread;
-            unread.first().is_some_and(String::is_empty)
+            // Names of families begin with a capital letter, and any of them may be in the spec that is missing.
+            self.units[u].lacks_a_use && name.starts_with(char::is_uppercase)
+                || unread.first().is_some_and(String::is_empty)
                 || unread.binary_search_by(|other| other.as_str().cmp(name)).is_ok()
         })
     }

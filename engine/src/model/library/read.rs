@@ -105,14 +105,14 @@ impl<'f> Library<'f> {
         // Stable: of families of one name, which is an error, the first one stays.
         sort_by(&mut families, |a, b| a.0.cmp(&b.0));
         families.dedup_by(|later, first| later.0 == first.0);
-        self.units.push(Unit { source, spec, families, uses: Vec::new() });
+        self.units.push(Unit { source, spec, families, uses: Vec::new(), lacks_a_use: false });
         self.check_doubled(index);
         stack.push(source);
         for (home, path, span) in requests {
-            if let Some(unit) = self.load(source, home, &path, span, stack)
-                && !self.units[index].uses.contains(&unit)
-            {
-                self.units[index].uses.push(unit);
+            match self.load(source, home, &path, span, stack) {
+                Some(unit) if self.units[index].uses.contains(&unit) => {}
+                Some(unit) => self.units[index].uses.push(unit),
+                None => self.units[index].lacks_a_use = true,
             }
         }
         stack.pop();

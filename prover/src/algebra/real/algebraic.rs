@@ -1,7 +1,6 @@
 //! Real algebraic numbers: irrational roots of polynomials with rational coefficients.
 
 use core::cmp::Ordering;
-use core::fmt;
 
 use super::roots::{Root, linear, rational_roots};
 use crate::algebra::poly::{Poly, Var};
@@ -153,33 +152,6 @@ impl Algebraic {
                 x.refine_below(&width, work)?;
             }
         }
-    }
-
-    /// The number as `root of x^2 - 2 between 1 and 3/2`, the polynomial in the given name.
-    pub fn describe(&self, name: &str) -> String {
-        let names = [name.to_string()];
-        let p = self.polynomial.to_poly(Var(0));
-        format!("root of {} between {} and {}", p.display(&names), decimal(&self.low), decimal(&self.high))
-    }
-}
-
-/// A number as a decimal if three, six or nine digits are enough and the fraction would be longer.
-fn decimal(x: &Rational) -> String {
-    for digits in [3_usize, 6, 9] {
-        let scaled = x * &Rational::from(10_i64.pow(digits as u32));
-        if x.denom() > Rational::from(9) && scaled.is_integer() {
-            let text = format!("{:0>width$}", scaled.abs().to_string(), width = digits + 1);
-            let (whole, fraction) = text.split_at(text.len() - digits);
-            let sign = if x.is_negative() { "-" } else { "" };
-            return format!("{sign}{whole}.{}", fraction.trim_end_matches('0'));
-        }
-    }
-    x.to_string()
-}
-
-impl fmt::Display for Algebraic {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.describe("x"))
     }
 }
 

@@ -2,5 +2,6 @@
 
 pub mod algebraic;
 pub mod field;
+pub mod reading;
 pub mod roots;
 pub mod simplest;

@@ -64,9 +64,14 @@ impl<'f> Sample<'f> {
                 None => candidates(range, 4),
             };
             all.retain(|x| range.contains(x));
-            // The middle first.
+            // The middle first, and of a range without an end what is far out or next to the other one.
             let middle = all.len() / 2;
             all.rotate_left(middle);
+            if range.finite().is_none() {
+                let far = [(64, 1), (1, 16), (1 << 12, 1), (1, 1 << 12), (-64, 1), (-1, 16)];
+                let far = far.map(|(above, below)| Rational::new(above, below));
+                all.extend(far.into_iter().filter(|x| range.contains(x)));
+            }
             if let (Where::NextToEnds, Some((a, b))) = (at, range.finite()) {
                 all.truncate(1);
                 for share in NEXT_TO_ENDS {
