@@ -586,3 +586,36 @@ fn signs_of_products_with_positive_parameters() {
     assert_eq!([&found[0], &found[1], &found[4]], ["="; 3], "{found:?}");
     assert!(found[2].contains(" at ") && found[3].contains(" at "), "{found:?}");
 }
+
+/// Of shape values in two parts no factor of the minors has one sign, but their product has, or their square.
+#[test]
+fn independence_where_factors_have_both_signs() {
+    let found = verdicts(
+        "family Both {
+            domain 0 <= t <= 1;
+            shape -1 <= p <= 1, -1 <= q <= 1;
+            assume p*q >= 1/4;
+            b[0] = p;
+            b[1] = q*t;
+            prove independent;
+        }
+        family Sum {
+            domain 0 <= t <= 1;
+            shape -1 <= p <= 1, -1 <= q <= 1;
+            assume p*q >= 1/4;
+            b[0] = t;
+            b[1] = p + q;
+            prove independent;
+        }
+        family Difference {
+            domain 0 <= t <= 1;
+            shape -1 <= p <= 1, -1 <= q <= 1;
+            assume p*q >= 1/4;
+            b[0] = t;
+            b[1] = p - q;
+            refute independent;
+        }",
+    );
+    assert_eq!(found[..2], ["=", "="], "{found:?}");
+    assert!(found[2].starts_with("0 at p = "), "{found:?}");
+}

@@ -170,8 +170,21 @@ fn multiples_apart(family: &Family, raised: usize) -> Option<Vec<Said>> {
     Some(said)
 }
 
-/// The number of the way by which independence is one inequality.
-pub(super) const BY_SQUARES: usize = 1;
+/// What is said of the sum of the squares of the maximal minors.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Squares {
+    /// That it is positive.
+    Plain,
+    /// What is enough for that under what is assumed.
+    Whole,
+    /// What is enough, as it is nowhere below 0: each of its factors is positive, up to its sign.
+    Factors,
+    /// The same of the product of its factors, each once.
+    Product,
+}
+
+/// The ways by which independence is one of these, by their numbers from 1.
+pub(super) const BY_SQUARES: [Squares; 3] = [Squares::Factors, Squares::Product, Squares::Whole];
 
 /// More functions than this have too large a determinant.
 const MAX_SQUARES: usize = 6;
@@ -179,7 +192,7 @@ const MAX_SQUARES: usize = 6;
 /// Independence as an inequality: det(A·Aᵀ), the sum of the squares of the maximal minors of the table A, is > 0 where what is
 /// assumed holds. Where that is no part of a box it may decide what the table on the whole box does not. `None` for many
 /// functions, and for variables beside their sines.
-pub(super) fn by_squares(family: &Family, enough: bool) -> Option<Vec<Said>> {
+pub(super) fn by_squares(family: &Family, of: Squares) -> Option<Vec<Said>> {
     let Table { rows, .. } = table(family);
     let wide = |v: Var| {
         family.analytic.numbers().contains(&v)
@@ -214,15 +227,16 @@ pub(super) fn by_squares(family: &Family, enough: bool) -> Option<Vec<Said>> {
             domain: Rc::clone(&domain),
         };
         let value = value.as_poly()?.clone();
-        // It is nowhere below 0: enough is that none of its factors vanishes.
-        let factors = if enough { nonzero_factors(&value, &domain) } else { None };
-        let statements = match factors {
-            Some(factors) => {
-                let one = |p: Poly| premises::without(&sign(p.clone())).unwrap_or_else(|| vec![sign(p)]);
-                factors.into_iter().flat_map(one).listed()
+        let factors = if of == Squares::Plain { None } else { nonzero_factors(&value, &domain) };
+        let parts = match (of, factors) {
+            (Squares::Factors, Some(factors)) => factors,
+            (Squares::Product, Some(factors)) => {
+                vec![factors.iter().fold(Poly::one(), |product, p| &product * p)]
             }
-            None => vec![sign(value)],
+            _ => vec![value],
         };
+        let enough = |p: &Poly| if of == Squares::Plain { None } else { premises::without(&sign(p.clone())) };
+        let statements = parts.into_iter().flat_map(|p| enough(&p).unwrap_or_else(|| vec![sign(p)])).listed();
         for statement in statements {
             let stated = Stated::new(super::on_part(SQUARES, number, pieces.len()), statement);
             all.push(Said { stated, of: String::from(SQUARES), piece: piece.clone() });

@@ -34,6 +34,7 @@ use crate::claim::{Claim, ClaimKind, Comparison, Joint};
 use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
+use independent::Squares;
 use positivity::{chebyshev, minors, wronskian};
 use witness::witness;
 
@@ -142,7 +143,7 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
     if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty())
         && all.iter().any(|said| !said.piece.is_exact())
     {
-        all.extend(independent::by_squares(family, false).unwrap_or_default());
+        all.extend(independent::by_squares(family, Squares::Plain).unwrap_or_default());
     }
     if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty()) {
         all.extend(independent::apart(family));
@@ -174,9 +175,9 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         if let Saying::Enough(ways) = saying
             && let Some(way) = ways.next()
         {
-            return match *way {
-                independent::BY_SQUARES => independent::by_squares(family, true),
-                _ => independent::said(&beside::wider(family)?, except),
+            return match way.checked_sub(1).and_then(|k| independent::BY_SQUARES.get(k)) {
+                Some(of) => independent::by_squares(family, *of),
+                None => independent::said(&beside::wider(family)?, except),
             };
         }
         return independent::said(family, except);
@@ -484,11 +485,13 @@ fn proved_by_later_ways(family: &Family, claim: &Claim) -> Option<Verdict> {
 
 /// Whether functions are independent where what is assumed holds, by one inequality.
 fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
-    let enough = independent::by_squares(family, true)?.into_iter().map(|said| said.stated).listed();
-    if let Ok(shown) = all(enough, family.budget) {
-        return Some(proved(family, claim, shown, vec![independent::BY_SQUARES]));
+    for (of, way) in independent::BY_SQUARES.into_iter().zip(1..) {
+        let enough = independent::by_squares(family, of)?.into_iter().map(|said| said.stated).listed();
+        if let Ok(shown) = all(enough, family.budget) {
+            return Some(proved(family, claim, shown, vec![way]));
+        }
     }
-    let plain = independent::by_squares(family, false)?;
+    let plain = independent::by_squares(family, Squares::Plain)?;
     refuted_under_premises(family, claim, &plain.iter().listed())
 }
 
