@@ -100,7 +100,8 @@ pub fn matrices(library: &Library<'_>, family: &Family, next: Option<&Family>) -
     let mut all = Vec::new();
     if is_plain(family) {
         all = bernstein(family, work);
-        all.extend(elevation(family, next, work));
+        let nested = next.and_then(|next| in_next_order(family, next, work));
+        all.extend(nested.or_else(|| elevation(family, work)));
     }
     all.extend(integrals(library, family, work));
     all
@@ -223,29 +224,27 @@ fn bernstein(family: &Family, work: &mut Work) -> Vec<Matrix> {
     all
 }
 
-/// The functions in those of the next order; without one, in the Bernstein basis of the next degree.
-fn elevation(family: &Family, next: Option<&Family>, work: &mut Work) -> Option<Matrix> {
-    let b = &family.function_name;
-    if let Some(next) = next {
-        if !same_domain(family, next) {
-            return None;
-        }
-        // The orders of a family share their shape parameters if they are the same.
-        let same = family.names == next.names;
-        let entries = in_terms_of(family, next, work).filter(|_| same)?;
-        let entries = entries.into_iter().collect::<Option<Vec<_>>>()?;
-        let title = format!("Degree elevation, {b}[i] = Σ M[i,j]*{}[j]: Q[j] = Σ M[i,j]*P[i]", next.title());
-        let (rows, columns) = (labels(family), foreign(next));
-        return Some(Matrix {
-            kind: MatrixKind::Elevation,
-            title,
-            rows,
-            columns,
-            entries,
-            names: family.names.clone(),
-            written: None,
-        });
+/// The functions in those of the next order; `None` where these do not span them.
+fn in_next_order(family: &Family, next: &Family, work: &mut Work) -> Option<Matrix> {
+    // The orders of a family share their shape parameters if they are the same.
+    if !same_domain(family, next) || family.names != next.names {
+        return None;
     }
+    let entries = in_terms_of(family, next, work)?.into_iter().collect::<Option<Vec<_>>>()?;
+    let (b, title) = (&family.function_name, next.title());
+    Some(Matrix {
+        kind: MatrixKind::Elevation,
+        title: format!("Degree elevation, {b}[i] = Σ M[i,j]*{title}[j]: Q[j] = Σ M[i,j]*P[i]"),
+        rows: labels(family),
+        columns: foreign(next),
+        entries,
+        names: family.names.clone(),
+        written: None,
+    })
+}
+
+/// The functions in the Bernstein basis of the next degree.
+fn elevation(family: &Family, work: &mut Work) -> Option<Matrix> {
     if family.is_rational() {
         return None;
     }
