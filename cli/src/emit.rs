@@ -42,21 +42,20 @@ pub(crate) fn run(arguments: &EmitArguments) -> Status {
         Ok(items) => items,
         Err(errors) => return refuse(sources, &errors, Status::Unusable),
     };
-    let (mut wanted, mut errors) = (Vec::new(), Vec::new());
+    let (mut wanted, mut diagnostics) = (Vec::new(), Vec::new());
     let run = &mut Run::default();
     for (item, name) in items {
         let checked = decide_within(item, run);
-        errors.extend(contradictions(&checked));
+        diagnostics.extend(contradictions(&checked));
         // A theorem says something, and computes nothing.
         if !matches!(&checked.subject, Subject::Theorem(theorem) if theorem.kind != TheoremKind::Join) {
             wanted.push(Wanted { checked, name });
         }
     }
-    let is_wrong = errors.iter().any(|d| d.severity == Severity::Error);
     // Warnings, such as that a conjecture is true, are said beside what is written.
-    let status = refuse(sources, &errors, Status::Wrong);
-    if is_wrong {
-        return status;
+    say(sources, &diagnostics);
+    if diagnostics.iter().any(|d| d.severity == Severity::Error) {
+        return Status::Wrong;
     }
     let spec = arguments.file.to_string_lossy().replace('\\', "/");
     let command = command(arguments, &spec);
@@ -102,10 +101,14 @@ fn scalar(arguments: &EmitArguments, default: Scalar) -> Scalar {
 }
 
 fn refuse(sources: &Sources, errors: &[Diagnostic], status: Status) -> Status {
-    for error in errors {
-        complain(&(error.render(sources, true) + "\n\n"));
-    }
+    say(sources, errors);
     status
+}
+
+fn say(sources: &Sources, diagnostics: &[Diagnostic]) {
+    for diagnostic in diagnostics {
+        complain(&(diagnostic.render(sources, true) + "\n\n"));
+    }
 }
 
 /// The file that the text belongs to.

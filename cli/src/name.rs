@@ -25,15 +25,16 @@ pub(crate) fn positions(word: &str, names: &[&str]) -> Vec<usize> {
     (0..names.len()).filter(|k| stem(names[*k]).is_some_and(|stem| stem == ascii(word))).collect()
 }
 
-/// Which of the names are meant by each of several words: as [`positions`], where a list without an index is all of it but for the
-/// entries that stand among the words themselves.
+/// Which of the names are meant by each of several words: as [`positions`], where a list without an index is all of it but
+/// for the entries that stand among the words themselves. If these are all, none is left out.
 pub(crate) fn each_position(words: &[&str], names: &[&str]) -> Vec<Vec<usize>> {
-    let mut all: Vec<Vec<usize>> = words.iter().map(|word| positions(word, names)).collect();
-    let own: Vec<usize> = all.iter().filter(|list| list.len() == 1).map(|list| list[0]).collect();
-    for list in all.iter_mut().filter(|list| list.len() > 1) {
-        list.retain(|k| !own.contains(k));
-    }
-    all
+    let own: Vec<usize> = words.iter().filter_map(|word| position(word, names)).collect();
+    let meant = |word: &&str| {
+        let all = positions(word, names);
+        let others = all.iter().copied().filter(|k| !own.contains(k)).collect::<Vec<_>>();
+        if others.is_empty() || position(word, names).is_some() { all } else { others }
+    };
+    words.iter().map(meant).collect()
 }
 
 /// The name that differs least from `word`, if it is near enough to be meant.

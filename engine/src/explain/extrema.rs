@@ -99,15 +99,17 @@ fn at_sample(
     work: &mut Work,
 ) -> Option<Option<Extrema>> {
     let Some((var, low, high)) = family.interval() else { return Some(None) };
-    let put = |f: &Fraction, of_numbers: bool| {
-        let mut wanted = sample.iter().filter(|(v, _)| numbers.contains(v) == of_numbers);
-        let put = |f: Fraction, (v, x): &(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
-        wanted.try_fold(f.clone(), put)
+    // What the function does not contain may be anything.
+    let shapes = sample.iter().filter(|(v, _)| !numbers.contains(v) && f.depends_on(*v)).listed();
+    let known = sample.iter().filter(|(v, _)| numbers.contains(v)).listed();
+    let put = |f: &Fraction, values: &[&(Var, Rational)]| {
+        let put = |f: Fraction, (v, x): &&(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
+        values.iter().try_fold(f.clone(), put)
     };
     let part = |p: &Poly| Univariate::from_poly(p, var);
-    let Some(exact) = put(f, false) else { return Some(None) };
+    let Some(exact) = put(f, &shapes) else { return Some(None) };
     let is_exact = !numbers.iter().any(|v| exact.depends_on(*v));
-    let parts = put(&exact, true).and_then(|f| Some((part(f.numer())?, part(f.denom())?)));
+    let parts = put(&exact, &known).and_then(|f| Some((part(f.numer())?, part(f.denom())?)));
     let Some((numer, denom)) = parts else { return Some(None) };
     if [low, high].iter().any(|end| denom.sign_at(end) == 0) {
         return Some(None); // without a bound next to an end that the domain leaves out
@@ -115,51 +117,60 @@ fn at_sample(
     let Some((zeros, least, greatest)) = of_function(&numer, &denom, low, high, work)? else {
         return Some(None);
     };
+    let slope = exact.derivative_within(var, work)?;
     let angle = family.analytic.angle(var);
-    let is_end = |x: &Coordinate| matches!(x, Coordinate::Rational(x) if x == low || x == high);
     let at_place = |f: &Fraction, x: &Rational| f.substitute(var, &Fraction::constant(x.clone()));
+    // A place is exact where that is seen of it: the function or its derivative is 0 there, whatever the numbers are.
+    let is_known = |x: &Coordinate| match x {
+        Coordinate::Algebraic(_) => is_exact,
+        Coordinate::Rational(x) => {
+            let vanishes = |f: &Fraction| at_place(f, x).is_some_and(|value| value.is_zero());
+            is_exact || x == low || x == high || vanishes(&exact) || vanishes(&slope)
+        }
+    };
     let place = |x: &Coordinate| {
-        let is_known = is_exact || is_end(x);
-        let own = format!("{} = {}", family.names[var.0], if is_known { text(x) } else { about(x) });
-        let (Some(angle), Coordinate::Rational(x)) = (angle, x) else { return own };
-        if angle.kind != Kind::Linear {
-            let end = [low, high].into_iter().position(|end| end == x).map(|k| &angle.ends[k]);
-            if let Some(end) = end.filter(|end| !end.is_empty()) {
-                return format!("{} = {end}", angle.name);
+        let name = &family.names[var.0];
+        let itself = |x: &Rational| angle.and_then(|angle| at_place(&put(&angle.tangent(), &shapes)?, x));
+        let own = if is_known(x) { text(x) } else { about(&approximation(x)) };
+        let own = format!("{name} = {own}");
+        let Some(angle) = angle else { return own };
+        if angle.kind == Kind::Linear {
+            return match x {
+                Coordinate::Rational(x) if is_known(&Coordinate::Rational(x.clone())) => {
+                    itself(x).map(|f| super::written(family, &f))
+                }
+                _ if is_exact => None,
+                _ => itself(&approximation(x)).and_then(|f| Some(about(&put(&f, &known)?.as_constant()?))),
             }
-            // Where the tangent vanishes, its argument does.
-            if at_place(&angle.tangent(), x).is_some_and(|x| x.is_zero()) {
-                let shift = &angle.shift;
-                let shown = if angle.turns { shift.to_string() } else { multiple_of_pi(shift) };
-                return format!("{} = {shown}", angle.name);
-            }
-            return own;
+            .map_or(own, |value| format!("{} = {value}", angle.name));
         }
-        let itself = put(&angle.tangent(), false).and_then(|f| at_place(&f, x));
-        match itself {
-            Some(f) if is_known => format!("{} = {}", angle.name, super::written(family, &f)),
-            Some(f) => match put(&f, true).and_then(|f| f.as_constant()) {
-                Some(x) => format!("{} = {}", angle.name, about(&Coordinate::Rational(x))),
-                None => own,
-            },
-            None => own,
+        let Coordinate::Rational(x) = x else { return own };
+        let end = [low, high].into_iter().position(|end| end == x).map(|k| &angle.ends[k]);
+        if let Some(end) = end.filter(|end| !end.is_empty()) {
+            return format!("{} = {end}", angle.name);
         }
+        // Where the tangent vanishes, its argument does.
+        if at_place(&angle.tangent(), x).is_some_and(|x| x.is_zero()) {
+            let shift = &angle.shift;
+            let shown = if angle.turns { shift.to_string() } else { multiple_of_pi(shift) };
+            return format!("{} = {shown}", angle.name);
+        }
+        own
     };
     let at = |points: &[Coordinate]| points.mapped(place);
     let extremum = |(value, points): (Coordinate, Vec<Coordinate>)| {
-        let known = points.iter().filter(|x| is_end(x)).find_map(|x| match x {
+        let there = points.iter().filter(|x| is_known(x)).find_map(|x| match x {
             Coordinate::Rational(x) => at_place(&exact, x),
             Coordinate::Algebraic(_) => None,
         });
-        let value = match known {
+        let value = match there {
             _ if is_exact => text(&value),
             Some(value) => super::written(family, &value),
-            None => about(&value),
+            None => about(&approximation(&value)),
         };
         Extremum { value, at: at(&points) }
     };
-    let shown = sample.iter().filter(|(v, _)| family.shapes.iter().any(|p| p.var == *v && f.depends_on(*v)));
-    let shown: Vec<String> = shown.map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
+    let shown: Vec<String> = shapes.iter().map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
     let label = if shown.is_empty() { label.to_owned() } else { format!("{label} at {}", shown.join(", ")) };
     Some(Some(Extrema { label, zeros: at(&zeros), minimum: extremum(least), maximum: extremum(greatest) }))
 }
@@ -303,21 +314,34 @@ fn text(x: &Coordinate) -> String {
     }
 }
 
-/// The decimal of a number that is computed with approximations.
-fn about(x: &Coordinate) -> String {
+/// A rational number next to another one.
+fn approximation(x: &Coordinate) -> Rational {
     match x {
-        Coordinate::Rational(x) => format!("about {:.9}", x.to_f64()),
-        Coordinate::Algebraic(x) => format!("about {}", decimal(x)),
+        Coordinate::Rational(x) => x.clone(),
+        Coordinate::Algebraic(x) => {
+            let mut x = x.clone();
+            for _ in 0..60 {
+                x.refine();
+            }
+            x.low().clone()
+        }
     }
+}
+
+/// The decimal of a number that is computed with approximations.
+fn about(x: &Rational) -> String {
+    format!("about {}", digits(x))
 }
 
 /// Nine digits of a number.
 fn decimal(x: &Algebraic) -> String {
-    let mut x = x.clone();
-    for _ in 0..60 {
-        x.refine();
-    }
-    format!("{:.9}", x.low().to_f64())
+    digits(&approximation(&Coordinate::Algebraic(x.clone())))
+}
+
+/// Nine digits behind the point, or of a small number nine digits.
+fn digits(x: &Rational) -> String {
+    let x = x.to_f64();
+    if x == 0.0 || x.abs() >= 1e-3 { format!("{x:.9}") } else { format!("{x:.8e}") }
 }
 
 #[cfg(test)]

@@ -80,8 +80,11 @@ impl Builder {
             return self.neg(value);
         }
         let value = self.factored(poly);
-        let name = format!("c{}", self.named.len());
-        self.scalar_lets.push(Let { names: vec![name], value });
+        // What a tangent lacks to 1 has a name.
+        if self.units.iter().all(|unit| unit.value.position() != value.position()) {
+            let name = format!("c{}", self.named.len());
+            self.scalar_lets.push(Let { names: vec![name], value });
+        }
         self.named.push((poly.clone(), value));
         value
     }

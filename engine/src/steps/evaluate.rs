@@ -105,7 +105,10 @@ numbers! {
         Function::Tan => a.tan(),
         Function::Tanh => a.tanh(),
         Function::Expm1 => a.exp_m1(),
-        Function::InversePowerOfTwo => inverse_power_of_two(f64::from(*a)) as f32,
+        Function::InversePowerOfTwo => {
+            let exponent = (a.to_bits() >> 23) & 255;
+            f32::from_bits(254_u32.saturating_sub(exponent).max(1) << 23)
+        }
     }), |a: &f32, b: &f32| Some(a < b), |a: &f32| if *a < 0.0 { 0.0 } else { *a };
     f64: Rational::to_f64, |a: &f64, b: &f64| Some(a / b), |a: &f64, function| Some(match function {
         Function::Sin => a.sin(),
@@ -113,16 +116,13 @@ numbers! {
         Function::Tan => a.tan(),
         Function::Tanh => a.tanh(),
         Function::Expm1 => a.exp_m1(),
-        Function::InversePowerOfTwo => inverse_power_of_two(*a),
+        Function::InversePowerOfTwo => {
+            let exponent = (a.to_bits() >> 52) & 2047;
+            f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
+        }
     }), |a: &f64, b: &f64| Some(a < b), |a: &f64| if *a < 0.0 { 0.0 } else { *a };
     Rational: Rational::clone, Rational::checked_div, |_: &Rational, _| None,
         |a: &Rational, b: &Rational| Some(a < b), |a: &Rational| if a.is_negative() { Rational::ZERO } else { a.clone() };
     Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone())), Fraction::checked_div,
         |_: &Fraction, _| None, |_: &Fraction, _| None, Fraction::clone;
-}
-
-/// As the function of that name in the runtime.
-fn inverse_power_of_two(a: f64) -> f64 {
-    let exponent = (a.to_bits() >> 52) & 2047;
-    f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
 }

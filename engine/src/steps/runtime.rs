@@ -70,6 +70,9 @@ impl Builder {
     /// `macro_support::affine_bernstein`: as [`bernstein`](Self::bernstein) for s + x = 1, in the smaller of both.
     pub(super) fn affine_bernstein(&mut self, points: &[usize], s: usize, x: usize) -> usize {
         let degree = points.len().saturating_sub(1);
+        if degree < 2 {
+            return self.bernstein(points, s, x);
+        }
         // One of two numbers, which is that times 1 and the other one times 0.
         let (is_first, one) = (self.less(x, s), self.one());
         let is_last = self.sub(one, is_first);

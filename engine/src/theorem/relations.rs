@@ -114,7 +114,7 @@ impl Elaboration<'_> {
     fn range_between(&mut self, bounds: &Bounds, low: bool, high: bool) -> Option<Range> {
         let (low, high) = (bounds.low.as_ref().filter(|_| low), bounds.high.as_ref().filter(|_| high));
         let name = Printer { constants: &self.scope.constants, component: None }.print(&bounds.target);
-        range_of(&mut self.scope, bounds.target.span, low, high, &|| name.clone())
+        range_of(&mut self.scope, bounds.target.span, (low, high), None, &|| name.clone())
     }
 
     /// A side of an assumption.

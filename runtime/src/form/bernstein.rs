@@ -150,7 +150,9 @@ pub(crate) fn nested<P: Point>(points: &[P], binomials: &[f64], s: P::Scalar, x:
 /// sums lose by rounding is carried along, so that the error does not grow with the degree.
 #[inline]
 pub(crate) fn affine_nested<P: Point>(points: &[P], binomials: &[f64], s: P::Scalar, x: P::Scalar) -> P {
-    if x < s {
+    if points.len() < 3 {
+        nested(points, binomials, s, x)
+    } else if x < s {
         stepwise(points.iter().copied(), binomials, x)
     } else {
         stepwise(points.iter().rev().copied(), binomials, s)

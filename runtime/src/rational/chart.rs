@@ -212,8 +212,8 @@ impl<S: Scalar> Chart<S> {
         [left * size * first, risen * size * second].map(S::narrow)
     }
 
-    /// The [`coordinates`](Self::coordinates) of parameters inside of the domain, by vector instructions, within 2 ε of them;
-    /// at an end some number in place of 0 or 1.
+    /// The [`coordinates`](Self::coordinates) of parameters inside of the domain, by vector instructions and in the numbers of the
+    /// scalar, up to a common factor; at an end some number in place of 0 or 1.
     #[inline(always)]
     #[allow(clippy::inline_always)] // it is compiled for the instructions of the caller
     pub(super) fn coordinates_into<const FUSED: bool>(

@@ -117,7 +117,7 @@ const INVERSE_POWER_OF_TWO: &str = r#"
 def _inverse_power_of_two(x):
     """The power of two by which a positive number becomes one from 1 to 2."""
     part = _call("frexp", x)[0]
-    return (part + part) / (x + 2.3e-308)  # which is x itself, unless nothing is left of it
+    return (part + part) / x
 "#;
 
 /// What a file with a family whose shape values overflow earlier in `float32` has beside that.

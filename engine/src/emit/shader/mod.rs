@@ -109,7 +109,7 @@ return x + x * x * (0.5 + x * (0.16666667 + x * (0.041666668 + x * (0.008333334 
 return e / (e + 2.0);
 ",
     ),
-    (Function::InversePowerOfTwo, "return FROM_BITS((254u - ((TO_BITS(x) >> 23u) & 255u)) << 23u);\n"),
+    (Function::InversePowerOfTwo, "return FROM_BITS((254u - min((TO_BITS(x) >> 23u) & 255u, 253u)) << 23u);\n"),
 ];
 
 impl Shader {

@@ -14,6 +14,9 @@ use crate::model::{Barycentric, Parameter};
 use crate::syntax::{self, Factor, Name, RangeDecl, StatementKind};
 use basis_prover::collections::list::Listed;
 
+/// What stands where an end of an interval is no number.
+const OF_INTERVALS: &str = "the ends of an interval in a domain of several variables are numbers; a triangle is `domain triangle (u, v, w);`, with w = 1 - u - v";
+
 /// The range of the span that is expanded.
 pub(super) fn of_span<'d>(scope: &Scope<'_>, decls: &'d [RangeDecl]) -> &'d [RangeDecl] {
     scope.span.and_then(|(k, _)| decls.get(k..=k)).unwrap_or(decls)
@@ -214,6 +217,7 @@ pub(super) fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
 /// The declared range, with exact ends.
 fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
     names::attempt(scope, &mut |scope| {
-        range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
+        let ends = (decl.low.as_ref(), decl.high.as_ref());
+        range_of(scope, decl.name.span, ends, Some(OF_INTERVALS), &|| decl.name.text.clone())
     })
 }

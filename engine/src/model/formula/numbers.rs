@@ -96,19 +96,23 @@ pub(crate) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
     None
 }
 
-/// A range from its ends as they are written; the name is for messages.
+/// A range from its ends as they are written, with what to write instead of an end that is no number; the name is for
+/// messages.
 pub(crate) fn range_of(
     scope: &mut Scope<'_>,
     span: Span,
-    low: Option<&Limit>,
-    high: Option<&Limit>,
+    (low, high): (Option<&Limit>, Option<&Limit>),
+    instead: Option<&str>,
     name: &dyn Fn() -> String,
 ) -> Option<Range> {
     let end = |scope: &mut Scope<'_>, end: Option<&Limit>| match end {
         None => Some(End::Infinite),
         Some(Limit { value, included }) => {
-            let help = "the ends of an interval in a domain of several variables are numbers; a triangle is `domain triangle (u, v, w);`, with w = 1 - u - v";
-            let value = scope.number_or(value, "the end of a range", help)?;
+            const END: &str = "the end of a range";
+            let value = match instead {
+                Some(help) => scope.number_or(value, END, help)?,
+                None => scope.number(value, END)?,
+            };
             Some(if *included { End::Included(value) } else { End::Excluded(value) })
         }
     };

@@ -45,7 +45,7 @@ impl Library<'_> {
         order: &[i64],
     ) -> Result<Rc<Family>, Option<(String, String)>> {
         let Some((home, position)) = self.find(unit, name) else {
-            if self.is_unread(unit, name) {
+            if self.is_unread(unit, name) || self.lacks_a_use(unit) {
                 return Err(None);
             }
             if self.is_full() {

@@ -151,11 +151,14 @@ impl<'f> Library<'f> {
     pub(crate) fn is_unread(&self, unit: usize, name: &str) -> bool {
         self.search(unit).into_iter().any(|u| {
             let unread = &self.units[u].spec.unread;
-            // Names of families begin with a capital letter, and any of them may be in the spec that is missing.
-            self.units[u].lacks_a_use && name.starts_with(char::is_uppercase)
-                || unread.first().is_some_and(String::is_empty)
+            unread.first().is_some_and(String::is_empty)
                 || unread.binary_search_by(|other| other.as_str().cmp(name)).is_ok()
         })
+    }
+
+    /// Whether a family of any name may be in a spec that is used and could not be read.
+    pub(crate) fn lacks_a_use(&self, unit: usize) -> bool {
+        self.units[unit].lacks_a_use
     }
 
     /// Whether a spec can name this family.

@@ -418,6 +418,7 @@ impl Scope<'_> {
         self.unread.first().is_some_and(String::is_empty)
             || self.unread.binary_search_by(|unread| unread.as_str().cmp(name)).is_ok()
             || self.library.is_unread(self.unit, name)
+            || name.starts_with(char::is_uppercase) && self.library.lacks_a_use(self.unit)
             || self.undeclared.borrow().iter().any(|known| known[..base(known)] == *name)
     }
 

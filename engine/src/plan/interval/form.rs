@@ -169,16 +169,16 @@ impl RationalForm {
         let has_unit = family.analytic.is_empty() || (low.is_zero() && high.is_one());
         let completes = is_affine && has_unit && sign != Sign::Kept;
         let completed = completes.then(|| Completed::of(family)).flatten();
-        let ratio = ratio(&denominator.bernstein).filter(|_| !is_affine);
-        let ratio = ratio.filter(|ratio| {
-            let forms = numerators.functions.iter_mut().chain([&mut denominator]);
-            let in_ratio = forms.map(|f| Some((f.in_ratio(ratio, var, &family.region())?, f)));
-            let Some(all) = in_ratio.collect::<Option<Vec<_>>>() else { return false };
-            for (factored, form) in all {
-                form.factored = factored;
-            }
-            true
+        let ratio = if is_affine { None } else { ratio(&denominator.bernstein) };
+        let forms = || numerators.functions.iter().chain([&denominator]);
+        let factored = ratio.as_ref().and_then(|ratio| {
+            forms().map(|f| f.in_ratio(ratio, var, &family.region())).collect::<Option<Vec<_>>>()
         });
+        let ratio = ratio.filter(|_| factored.is_some());
+        let forms = numerators.functions.iter_mut().chain([&mut denominator]);
+        for (form, factored) in forms.zip(factored.into_iter().flatten()) {
+            form.factored = factored;
+        }
         Some(Self { numerators, denominator, sign, completed, is_affine, ratio, is_tabulated })
     }
 }
@@ -212,9 +212,7 @@ impl FunctionForm {
         let endpoint = if degree <= MAX_ENDPOINT_DEGREE { endpoint(&unit, degree) } else { Vec::new() };
         Some(Self { denom: denom.clone(), monomial, bernstein, factored, endpoint })
     }
-}
 
-impl FunctionForm {
     /// The function as a product in s and ratio·x; `None` where that has other coefficients than polynomials.
     fn in_ratio(&self, ratio: &Poly, var: Var, region: &Region) -> Option<Factored> {
         let mut power = Poly::one();

@@ -485,8 +485,13 @@ fn proved_by_later_ways(family: &Family, claim: &Claim) -> Option<Verdict> {
 
 /// Whether functions are independent where what is assumed holds, by one inequality.
 fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
+    let mut tried = Vec::new();
     for (of, way) in independent::BY_SQUARES.into_iter().zip(1..) {
         let enough = independent::by_squares(family, of)?.into_iter().map(|said| said.stated).listed();
+        let statements = enough.iter().map(|stated| stated.statement.clone()).listed();
+        if core::mem::replace(&mut tried, statements.clone()) == statements {
+            continue;
+        }
         if let Ok(shown) = all(enough, family.budget) {
             return Some(proved(family, claim, shown, vec![way]));
         }

@@ -95,8 +95,8 @@ fn side(family: &Family, span: usize, point: &str) -> Option<String> {
     let variable = piece.analytic.angle(own.var).map_or(&own.name, |angle| &angle.name);
     let [low, high] = piece.end_texts()?;
     let value = |name: &str| point.split(", ").find_map(|part| part.strip_prefix(name)?.strip_prefix(" = "));
-    // A knot is a number or a shape parameter.
-    let is_at = |end: &String| value(variable) == Some(value(end).unwrap_or(end));
+    // A knot is a number or a shape parameter, and the point is written by its name or its value.
+    let is_at = |end: &String| value(variable).is_some_and(|x| x == end || Some(x) == value(end));
     let is_inner = span > 0 && is_at(&low) || span + 1 < family.pieces.len() && is_at(&high);
     is_inner.then(|| format!("there the functions are those {}", on(piece, "").trim_start()))
 }

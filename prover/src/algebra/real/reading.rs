@@ -107,7 +107,7 @@ fn divisors(n: i64) -> Option<Vec<i64>> {
     Some(all.into_iter().map(|k| k as i64).listed())
 }
 
-/// A root of a quadratic polynomial a·x² + b·x + c as −b/(2a) ± q·√n with a square-free whole number n; `None` of other numbers.
+/// A root of a quadratic polynomial a·x² + b·x + c as −b/(2a) ± q·√n with a whole number n without small square factors; `None` of other numbers.
 pub fn in_square_roots(x: &Algebraic) -> Option<String> {
     let [c, b, a] = x.polynomial().coefficients() else { return None };
     let middle = (-b).checked_div(&(a + a))?;
@@ -126,6 +126,10 @@ pub fn in_square_roots(x: &Algebraic) -> Option<String> {
     let mut q = Rational::from(outside).checked_div(&(a + a))?.abs();
     if x.compare(&middle) == Ordering::Less {
         q = -q;
+    }
+    // It may be rational after all.
+    if (n as u64).isqrt().pow(2) == n as u64 {
+        return Some((&middle + &(&q * &Rational::from((n as u64).isqrt() as i64))).to_string());
     }
     let root = |q: &Rational| if q.is_one() { format!("sqrt({n})") } else { format!("{q}*sqrt({n})") };
     Some(match (middle.is_zero(), q.is_negative()) {

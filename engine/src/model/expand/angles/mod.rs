@@ -348,8 +348,9 @@ fn plain(
             return None;
         }
     }
-    let range =
-        range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())?;
+    let range = range_of(scope, decl.name.span, (decl.low.as_ref(), decl.high.as_ref()), None, &|| {
+        decl.name.text.clone()
+    })?;
     if let (true, Some((low, high))) = (at.is_domain, range.finite()) {
         scope.ends.push((Fraction::constant(low.clone()), Fraction::constant(high.clone())));
     }

@@ -161,7 +161,8 @@ fn differences(
                         format!("compare with a family of {}", crate::plural::count(n, "function"))
                     }
                     n if is_of_decimals(written_right, n) => {
-                        format!("decimals are written with a point: {n} values such as `0.5`")
+                        let values = crate::plural::count(n, "value");
+                        format!("write {values}; decimals have a point, `0.5`")
                     }
                     n => format!("write {}", crate::plural::count(n, "value")),
                 }));
