@@ -351,8 +351,14 @@ impl Table<'_> {
         let (own, others) = (role.names(self.family), role.other().names(self.family));
         let (noun, other) = (role.noun(), role.other());
         let misplaced = name::position(name, &others).map(|k| others[k]);
-        let near = name::closest(name, &own);
-        self.meant.extend(misplaced.or(near));
+        let open = role.parameters(self.family).into_iter().filter(|p| self.values[p.var.0].is_none());
+        let open: Vec<&str> = open.map(|p| written(self.family, p)).collect();
+        let near = name::closest(name, &open);
+        // A name that is like none may have been meant for any.
+        match misplaced.or(near) {
+            Some(meant) => self.meant.push(meant),
+            None => self.meant.extend(&own),
+        }
         let help = match (misplaced, near, own.as_slice()) {
             (Some(meant), ..) => format!("it is a {}: write {} {meant}={value}", other.noun(), other.flag()),
             (_, Some(near), _) => format!("did you mean `{near}`?"),

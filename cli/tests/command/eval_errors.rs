@@ -106,7 +106,6 @@ fn names_of_values() {
         &[
             ("`lamda` is not a shape parameter", "did you mean `λ`?"),
             ("`x` is not a domain variable", "the only domain variable is `t`"),
-            no_point,
         ],
     );
     fails(

@@ -369,6 +369,7 @@ fn zeros_and_extrema_with_parameters_and_angles() {
         family Irrational { domain 0 <= t <= 1; i[0] = (t^2 - 1/2)*(t^3 + t - 1); }
         family Numbers { domain 0 <= t <= 1; n[0] = exp(t) - 2; }
         family Slope { domain 0 <= t <= 1; l[0] = exp(1)*t - 1; }
+        family Long { domain 0 <= t <= α; shape 0 < α; o[0] = (t/α)^5 + t/α - 1; o[1] = t^2/α^2 - 1/2*t/α - 1/7; }
         family Half { domain 0 <= t <= pi; h[0] = t/pi - 1/2; h[1] = t - 1; }";
     let folder = Folder::with("t.basis", spec);
     let run = folder.run(&["explain", "t.basis"]);
@@ -389,6 +390,8 @@ fn zeros_and_extrema_with_parameters_and_angles() {
         "l[0]: zero at t = about 0.367879441; least value -1 at t = 0; greatest value exp(1) - 1 at t = 1",
         "h[0]: zero at t = 1/2*pi; least value -1/2 at t = 0; greatest value 1/2 at t = pi",
         "h[1]: zero at t = about 1.000000000; least value -1 at t = 0; greatest value pi - 1 at t = pi",
+        "o[0]: zero at t/α = 0.754877666 (root of -1 + x^2 + x^3 between 0.754 and 0.755); least value -1 at t = 0; greatest value 1 at t = α",
+        "o[1]: zero at t/α = 1/4 + 1/28*sqrt(161); least value -23/112 at t = 1/4*α; greatest value 5/14 at t = α",
         // A root of a quadratic factor has a square root, one of a cubic factor a decimal.
         "i[0]: zero at t = 0.682327804 (root of -1 + x + x^3 between 0.682 and 0.683), t = 1/2*sqrt(2); least ",
     ] {
