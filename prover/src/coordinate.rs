@@ -14,7 +14,8 @@ pub enum Coordinate {
 }
 
 impl Coordinate {
-    /// The coordinate as text for readers, such as `λ = -3`, `t = sqrt(2)` or `t = root of -1 - t + t^3 between 1 and 3/2`.
+    /// The coordinate as text for readers, such as `λ = -3`, `t = sqrt(2)` or `t = root of -1 - t + t^3 between 1 and
+    /// 3/2`.
     pub fn describe(&self, name: &str) -> String {
         match self {
             Self::Rational(x) => format!("{name} = {x}"),

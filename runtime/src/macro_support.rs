@@ -51,8 +51,8 @@ pub fn check_shape<S: Scalar>(
     }
 }
 
-/// `value` if it is not above what this kind of floats reaches: `reaches` has the largest shape value with which exponentials of
-/// it do not overflow, and the range with this end as text, for `f64` and for `f32`.
+/// `value` if it is not above what this kind of floats reaches: `reaches` has the largest shape value with which
+/// exponentials of it do not overflow, and the range with this end as text, for `f64` and for `f32`.
 ///
 /// # Errors
 /// Otherwise, the error that names the family, the parameter and that range.
@@ -152,8 +152,8 @@ pub fn bernstein<P: Point, const M: usize>(coefficients: [P; M], s: P::Scalar, x
 
 /// [`bernstein`] for coordinates with the sum 1, with a third of its error: only the smaller one is used.
 ///
-/// With `s`, `x` and all coefficients nonnegative no step that counts is negative: in `sum + (c - sum x)` the product is at
-/// most half of the sum.
+/// With `s`, `x` and all coefficients nonnegative no step that counts is negative: in `sum + (c - sum x)` the product
+/// is at most half of the sum.
 #[inline]
 pub fn affine_bernstein<P: Point, const M: usize>(coefficients: [P; M], s: P::Scalar, x: P::Scalar) -> P {
     affine_nested(&coefficients, &const { binomials::<M>() }, s, x)

@@ -116,9 +116,9 @@ mod sealed {
         /// A number whose neighbours are at distance 1.
         const TO_WHOLE: Self;
 
-        /// The numbers in which the coordinates of charts and tangents of shape parameters are computed, as they count in every
-        /// value and to a high power: with `std` those of double precision. Without it those of the type itself; small
-        /// processors have no others.
+        /// The numbers in which the coordinates of charts and tangents of shape parameters are computed, as they count
+        /// in every value and to a high power: with `std` those of double precision. Without it those of the type
+        /// itself; small processors have no others.
         type Wide: super::Scalar;
         /// The same number.
         fn wide(self) -> Self::Wide;

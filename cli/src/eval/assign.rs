@@ -83,8 +83,8 @@ pub(super) fn values(
     }
 }
 
-/// How far the value of a function is at most from the one at the values that are meant, each at most its error away: to first
-/// order the sum of the changes by each, here doubled. `None` at a pole.
+/// How far the value of a function is at most from the one at the values that are meant, each at most its error away:
+/// to first order the sum of the changes by each, here doubled. `None` at a pole.
 pub(super) fn spread(f: &Fraction, values: &[Rational], errors: &[Rational]) -> Option<Rational> {
     let at = f.eval(values)?;
     let mut sum = Rational::ZERO;

@@ -353,8 +353,8 @@ fn zeros_and_extrema() {
     assert!(!run.stdout.contains("b[1]: "), "{}", run.stdout);
 }
 
-/// With shape parameters for all of their values where they are quotients of these, else at values that are named; of angles by
-/// their tangents, or by themselves at ends and where these vanish.
+/// With shape parameters for all of their values where they are quotients of these, else at values that are named; of
+/// angles by their tangents, or by themselves at ends and where these vanish.
 #[test]
 fn zeros_and_extrema_with_parameters_and_angles() {
     let spec = "family Cardinal { domain 0 <= t <= 1; shape 0 <= τ <= 1;

@@ -99,8 +99,8 @@ pub trait Language {
     /// Whether it computes with `f32` only, so that every constant has to be one.
     fn is_single(&self) -> bool;
 
-    /// Whether its sines, exponentials and the like are as accurate as [bounds of rounding errors](crate::rounding::ASSUMED)
-    /// assume.
+    /// Whether its sines, exponentials and the like are as accurate as [bounds of rounding
+    /// errors](crate::rounding::ASSUMED) assume.
     fn has_accurate_functions(&self) -> bool {
         true
     }

@@ -45,9 +45,9 @@ pub struct Extremum {
 }
 
 /// The functions of one variable that are negative somewhere on the domain; an end that the domain leaves out counts, as a
-/// limit. With shape parameters for all of their values, where zeros and extrema are quotients of polynomials in them, or at
-/// values that are named. Of functions that contain π or exp(r) what is no value at an end of the domain is a decimal. Nothing is
-/// said of functions that contain a variable beside its sine.
+/// limit. With shape parameters for all of their values, where zeros and extrema are quotients of polynomials in them,
+/// or at values that are named. Of functions that contain π or exp(r) what is no value at an end of the domain is a
+/// decimal. Nothing is said of functions that contain a variable beside its sine.
 pub fn extrema(family: &Family) -> Vec<Extrema> {
     if family.interval().is_none() {
         return Vec::new();

@@ -91,7 +91,8 @@ impl Matrix {
 /// family in its next order.
 ///
 /// Families with sin, exp or the like have integrals only. Left out are integrals that leave the functions of a spec, such
-/// as logarithms, what takes too much work, the inverse of a matrix that has none, and all of families with many functions.
+/// as logarithms, what takes too much work, the inverse of a matrix that has none, and all of families with many
+/// functions.
 pub fn matrices(library: &Library<'_>, family: &Family, next: Option<&Family>) -> Vec<Matrix> {
     if family.functions.len() > MAX_FUNCTIONS {
         return Vec::new();

@@ -19,8 +19,8 @@
 //! | `sign` | which values rounding could make negative |
 //! | `reach` | the shape values beyond which exponentials overflow |
 //!
-//! The exact formulas that are planned are in [`interval::form`] for families on an interval and in [`patch::form`] for those on
-//! simplices and boxes.
+//! The exact formulas that are planned are in [`interval::form`] for families on an interval and in [`patch::form`] for
+//! those on simplices and boxes.
 
 mod build;
 mod corners;
@@ -80,8 +80,8 @@ pub enum Input {
     /// A coordinate of the point of the domain: the parameter t, a variable of a box, a barycentric coordinate.
     Coordinate(usize),
     /// The value of a shape parameter, or of a scalar of a join; after those of a family with angles the tangents of its
-    /// parameters, at the positions of the angles in [`Analytic::angles`](crate::model::angle::Analytic), then what is missing
-    /// from these to 1, then 1 plus these.
+    /// parameters, at the positions of the angles in [`Analytic::angles`](crate::model::angle::Analytic), then what is
+    /// missing from these to 1, then 1 plus these.
     Shape(usize),
     /// One component of a control point; all components are treated alike.
     Point(usize),

@@ -189,8 +189,9 @@ impl Builder {
         self.product(&factors)
     }
 
-    /// A polynomial of degree 1 in several variables that is 0 where each of these is at an end of its range, and has one sign
-    /// beside: by the distances from there, as 2 + m + n = (1 + m) + (1 + n) for m, n ≥ −1, which has digits there.
+    /// A polynomial of degree 1 in several variables that is 0 where each of these is at an end of its range, and has
+    /// one sign beside: by the distances from there, as 2 + m + n = (1 + m) + (1 + n) for m, n ≥ −1, which has digits
+    /// there.
     fn beside_corner(&mut self, poly: &Poly) -> Option<Ref> {
         if poly.total_degree() != 1 || poly.variables().len() < 2 {
             return None;
@@ -221,8 +222,8 @@ impl Builder {
         rest.is_zero().then_some(terms)
     }
 
-    /// A polynomial that is 0 at a corner of its tangents: by the distances from the ends of the range of one of these, see
-    /// [`corners`](super::corners). `None` for others.
+    /// A polynomial that is 0 at a corner of its tangents: by the distances from the ends of the range of one of these,
+    /// see [`corners`](super::corners). `None` for others.
     fn by_distances(&mut self, poly: &Poly) -> Option<Ref> {
         if !self.corners.cancels(poly) || !self.corners.is_short(poly) {
             return None;

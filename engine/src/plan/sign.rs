@@ -188,8 +188,8 @@ impl Builder {
         }
     }
 
-    /// λ + c or c − λ for a shape value λ that is given and a number c: as λ was compared with the ends of its range as floats,
-    /// this has the sign of the exact sum where that has only one.
+    /// λ + c or c − λ for a shape value λ that is given and a number c: as λ was compared with the ends of its range as
+    /// floats, this has the sign of the exact sum where that has only one.
     fn offset_by(&self, a: Ref, b: Ref, minus: bool) -> Option<Interval> {
         let given = |at: Ref| self.parameter(at).filter(|v| v.is_given).map(|v| Interval::of(&v.range));
         let exact = |c: &Rational| Interval { low: Some(c.clone()), high: Some(c.clone()) };

@@ -5,8 +5,8 @@
 //! numbers and a sine or an exponential of the distance from an end of the domain, and in tangents of shape parameters.
 //! Each of them is computed as its exact value times 1 + δ, |δ| ≤ w u, and has a share in the error as roundings have.
 //!
-//! A quotient of degree 0 is the same for all multiples of s and x. So it is enough to look at s = 1 − y, x = y, 0 ≤ y ≤ 1,
-//! and what both coordinates are off by has no share, such as the error of a sine by which both are divided.
+//! A quotient of degree 0 is the same for all multiples of s and x. So it is enough to look at s = 1 − y, x = y, 0 ≤ y
+//! ≤ 1, and what both coordinates are off by has no share, such as the error of a sine by which both are divided.
 //!
 //! The numbers w are sums of what is assumed of elementary functions, [`ULP`], of the roundings, and of relative errors of
 //! arguments times |d ln f/d ln a|, which is at most
@@ -31,8 +31,8 @@ use crate::plan::interval::rational;
 use crate::steps::{Builder, Function, Step, Steps, elementary};
 use basis_prover::collections::list::{Listed, Mapped};
 
-/// How many u the sine, cosine, exponential and `exp_m1` of the standard library of a language are off: one unit in the last
-/// place, which is at most 2u of the value.
+/// How many u the sine, cosine, exponential and `exp_m1` of the standard library of a language are off: one unit in the
+/// last place, which is at most 2u of the value.
 const ULP: i64 = 2;
 
 /// The tangent, which the runtime computes as a quotient of sine and cosine.
@@ -210,8 +210,8 @@ fn number(value: Rational) -> End {
     End { known: Some(value), distance }
 }
 
-/// An end that is a number, or a multiple of a shape parameter by a power of 2; `None` for any other one, of which the float
-/// may be farther off than the parameter is from it.
+/// An end that is a number, or a multiple of a shape parameter by a power of 2; `None` for any other one, of which the
+/// float may be farther off than the parameter is from it.
 fn end(family: &Family, angle: &Angle, k: usize) -> Option<End> {
     let limit = &angle.limits[k];
     if let Some(value) = family.analytic.number(limit) {

@@ -6,18 +6,19 @@
 //! inputs, so that a bound is a statement like any other one about signs, which the kernel decides:
 //!
 //! - *relative*, κ·u times the value: κ·|v| − Σ|wₖvₖ| ≥ 0; file `relative`;
-//! - *absolute*, c·u, for functions that change their sign: c − Σ|wₖvₖ| ≥ 0; file `absolute`. Points of curves are bounded so,
-//!   and those of patches in two stages; file `net`.
+//! - *absolute*, c·u, for functions that change their sign: c − Σ|wₖvₖ| ≥ 0; file `absolute`. Points of curves are
+//!   bounded so, and those of patches in two stages; file `net`.
 //!
 //! What is of higher order in u is bounded by a number that counts roundings, with u = 2⁻²⁴, that of `f32`; file
 //! `rest`. Steps that do not round are left out: inputs, numbers that are floats, negation, products with powers of
 //! two, and differences a − b with b/2 ≤ a ≤ 2b (Sterbenz), for which the domain is cut into cells.
 //!
-//! A value that is proved to be nonnegative may be cut off at 0, which changes no error for the worse: the exact value is not
-//! on the other side. So its bound is that of what is cut off.
+//! A value that is proved to be nonnegative may be cut off at 0, which changes no error for the worse: the exact value
+//! is not on the other side. So its bound is that of what is cut off.
 //!
 //! A fused multiplication and addition rounds less, so that the bounds hold for fused code, too. They hold as long as
-//! nothing overflows; each product that underflows is off by half the smallest float, which a division after it may enlarge.
+//! nothing overflows; each product that underflows is off by half the smallest float, which a division after it may
+//! enlarge.
 //!
 //! Sines, exponentials and the like are assumed to be within one unit in the last place; what comes out of them are inputs
 //! that are off; file `angles`. Where a float is that of an end such as π/2, the value is the one at the end.
@@ -161,8 +162,8 @@ impl Bound {
 /// Bounds of the errors of the values of all functions; `None` for one without. On several spans a function has one bound
 /// for all of them.
 ///
-/// `None` in place of a list when the work is spent, the family is too large to be generated, has an angle beside its sine, an
-/// end that is computed from shape parameters, or a knot that is no float.
+/// `None` in place of a list when the work is spent, the family is too large to be generated, has an angle beside its
+/// sine, an end that is computed from shape parameters, or a knot that is no float.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
     let spans = spans(family)?;
     basis_prover::working(family.budget, &mut |work| {

@@ -6,7 +6,8 @@
 //!
 //! error = value·Σₖ δₖ Rₖ/G, Rₖ = mₖG + Σ_F m_F·N_F,ₖ·G/F.
 //!
-//! If G has one sign on a cell, and each Rₖ has one or is at most a multiple of |G|, κ|G| − Σ|Rₖ| is at least a polynomial.
+//! If G has one sign on a cell, and each Rₖ has one or is at most a multiple of |G|, κ|G| − Σ|Rₖ| is at least a
+//! polynomial.
 
 use std::rc::Rc;
 

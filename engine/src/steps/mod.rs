@@ -86,8 +86,8 @@ pub enum Function {
     Tanh,
     /// exp(a) − 1
     Expm1,
-    /// The power of two by which a > 0 becomes a number from 1 to 2. A language may be off by a power of two where a is next to
-    /// one: what it multiplies counts up to a factor only.
+    /// The power of two by which a > 0 becomes a number from 1 to 2. A language may be off by a power of two where a is
+    /// next to one: what it multiplies counts up to a factor only.
     InversePowerOfTwo,
 }
 

@@ -2,9 +2,9 @@
 //! with several spans, without an end of their domain, or with shape parameters at the ends.
 //!
 //! They do what `Chart` and `RationalCurve` of the runtime do: N(s, x)/W(s, x) in
-//! coordinates s, x that keep their digits at the ends of a span. What depends on the shape values only and needs more than
-//! operations, tangents and the numbers of a chart, is computed once: [`Derived`] values, which are inputs of all other
-//! steps, after the shape values.
+//! coordinates s, x that keep their digits at the ends of a span. What depends on the shape values only and needs more
+//! than operations, tangents and the numbers of a chart, is computed once: [`Derived`] values, which are inputs of all
+//! other steps, after the shape values.
 
 use super::{Builder, Function, Steps, lower};
 use crate::algebra::rational::Rational;
@@ -479,8 +479,8 @@ impl Span<'_> {
         })
     }
 
-    /// t − low and high − t: ends that are numbers in parts. An end is what its float stands for: there the distance is 0, and
-    /// what is added to it, which is 0 everywhere, has its derivative.
+    /// t − low and high − t: ends that are numbers in parts. An end is what its float stands for: there the distance is
+    /// 0, and what is added to it, which is 0 everywhere, has its derivative.
     fn distances(&self, builder: &mut Builder, t: usize) -> [usize; 2] {
         [0, 1].map(|k| {
             let end = builder.scalar(&self.ends[k]);
@@ -505,7 +505,8 @@ impl Span<'_> {
         })
     }
 
-    /// The powers of `Chart::balance` by which Bernstein coefficients are multiplied for derivatives; `None` where all are 1.
+    /// The powers of `Chart::balance` by which Bernstein coefficients are multiplied for derivatives; `None` where all
+    /// are 1.
     fn powers(&self, builder: &mut Builder, count: usize) -> Option<Vec<usize>> {
         let balance = builder.scalar(&self.turn.as_ref()?.balance);
         if builder.constant_at(balance).is_some_and(Rational::is_one) {

@@ -16,7 +16,8 @@ pub(super) fn rounded(value: &Rational) -> Rational {
     &(&(value * &unit) + &Rational::new(1, 2)).floor() * &scaled
 }
 
-/// A function of a number, with an error far below 10⁻⁶⁰ of the larger of it and 1; `None` for large arguments, and at a pole.
+/// A function of a number, with an error far below 10⁻⁶⁰ of the larger of it and 1; `None` for large arguments, and at
+/// a pole.
 pub(crate) fn value(function: Function, x: &Rational) -> Option<Rational> {
     if x.abs() > Rational::from(LARGEST) {
         return None;

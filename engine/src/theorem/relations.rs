@@ -184,8 +184,8 @@ impl Elaboration<'_> {
         Some(())
     }
 
-    /// What a family assumes of its shape values: of new names, which stand for its shape parameters, it is assumed here, too;
-    /// of any others it is to be shown.
+    /// What a family assumes of its shape values: of new names, which stand for its shape parameters, it is assumed
+    /// here, too; of any others it is to be shown.
     pub(super) fn inherit(&mut self, family: &Family, values: &[Fraction], span: Span) -> Option<()> {
         let names = values.mapped(|value| value.as_var().filter(|var| self.shape_values.contains(var)));
         let mut open = Vec::new();

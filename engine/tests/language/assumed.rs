@@ -459,8 +459,8 @@ fn ranges_have_the_ends_that_an_assumption_gives_them() {
     assert!(found[2].contains(" at "), "{found:?}");
 }
 
-/// The region of monotone cubics (F. N. Fritsch, R. E. Carlson, 1980), outside of the triangle α + β <= 3: the derivative is
-/// proved to be nonnegative by its product with α, and by what it is for α = 0.
+/// The region of monotone cubics (F. N. Fritsch, R. E. Carlson, 1980), outside of the triangle α + β <= 3: the
+/// derivative is proved to be nonnegative by its product with α, and by what it is for α = 0.
 #[test]
 fn other_ways_follow_where_the_first_one_fails() {
     let ellipse = |shape: &str, last: &str| {

@@ -1,5 +1,5 @@
-//! Signs of functions in which a variable, or the end of its range, stands beside its own sine or exponential: true claims, with
-//! false ones beside them whose values were computed by other means.
+//! Signs of functions in which a variable, or the end of its range, stands beside its own sine or exponential: true
+//! claims, with false ones beside them whose values were computed by other means.
 
 use crate::rechecked::counterexamples;
 use crate::verdicts::verdicts;
@@ -420,8 +420,8 @@ fn domains_that_end_at_angles_of_parameters_alone() {
     assert!(found[0].contains("at α = pi, t = α") || found[0].contains("t = "), "{found:?}");
 }
 
-/// Where the range of a parameter in exponentials ends at a number, false claims are refuted at simple places, and what `at`
-/// fixes is named as it is written.
+/// Where the range of a parameter in exponentials ends at a number, false claims are refuted at simple places, and what
+/// `at` fixes is named as it is written.
 #[test]
 fn false_claims_where_a_range_ends_at_a_number() {
     let found = counterexamples(
@@ -652,8 +652,8 @@ fn dependent_whatever_the_numbers_are() {
     assert_eq!(combinations, all);
 }
 
-/// Highest and lowest values inside of the domain, which no derivative leads to from an end: t²·exp(−t)/2 has the highest value
-/// 2·exp(−2) = 0.27067056…, t·cos(t) about 0.561096338.
+/// Highest and lowest values inside of the domain, which no derivative leads to from an end: t²·exp(−t)/2 has the
+/// highest value 2·exp(−2) = 0.27067056…, t·cos(t) about 0.561096338.
 #[test]
 fn values_inside_of_the_domain() {
     let found = counterexamples(

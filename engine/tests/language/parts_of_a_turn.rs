@@ -1,4 +1,5 @@
-//! Angles whose sines are irrational: at an end of the domain, at a value that `at` gives, and as numbers such as sin(π/4).
+//! Angles whose sines are irrational: at an end of the domain, at a value that `at` gives, and as numbers such as
+//! sin(π/4).
 
 use crate::rechecked::counterexamples;
 use crate::verdicts::verdicts;

@@ -1,7 +1,7 @@
 //! Sines and exponentials in loops that the compiler turns into vector instructions, and powers of two.
 //!
-//! The functions of the standard library are calls, one for each number. [`sine`] and [`decay`] are polynomials without branches, for the
-//! arguments that maps of domains have; each is within 2 ε of the exact value, relative to it.
+//! The functions of the standard library are calls, one for each number. [`sine`] and [`decay`] are polynomials without
+//! branches, for the arguments that maps of domains have; each is within 2 ε of the exact value, relative to it.
 
 // All of it is compiled once for each set of vector instructions, inside of the functions that name them.
 #![allow(clippy::inline_always)]

@@ -39,7 +39,8 @@ struct Turn<S: Scalar> {
     slopes: [S; 3],
 }
 
-/// The sum of `c p` minus `end`, in twice the precision: by the sums of Knuth and the products of Dekker, each with its error.
+/// The sum of `c p` minus `end`, in twice the precision: by the sums of Knuth and the products of Dekker, each with its
+/// error.
 fn lost<S: Scalar>(end: f64, terms: &[(f64, S)]) -> f64 {
     let halves = |x: f64| {
         let large = 134_217_729.0 * x; // 2²⁷ + 1
@@ -127,8 +128,8 @@ impl<S: Scalar> Chart<S> {
         self
     }
 
-    /// The same map where the ends of the domain are sums of multiples `c p` of numbers, such as a knot that is the sum of the
-    /// lengths before it: what is lost by rounding them counts next to these ends.
+    /// The same map where the ends of the domain are sums of multiples `c p` of numbers, such as a knot that is the sum
+    /// of the lengths before it: what is lost by rounding them counts next to these ends.
     #[inline]
     #[must_use]
     pub fn with_sums_as_ends(mut self, sums: [&[(f64, S)]; 2]) -> Self {
@@ -174,8 +175,9 @@ impl<S: Scalar> Chart<S> {
         matches!(self.kind, Kind::Affine)
     }
 
-    /// Coordinates `[s, x]` of `t`, proportional to `1 - x` and `x`: their sum is 1 where the map is affine and at both ends,
-    /// and some positive number otherwise, whose size says nothing. Each has a small relative error where it is small, and is 0 at the end.
+    /// Coordinates `[s, x]` of `t`, proportional to `1 - x` and `x`: their sum is 1 where the map is affine and at both
+    /// ends, and some positive number otherwise, whose size says nothing. Each has a small relative error where it is
+    /// small, and is 0 at the end.
     #[inline]
     pub fn coordinates(&self, t: S) -> [S; 2] {
         let turn = match self.kind {
@@ -212,8 +214,8 @@ impl<S: Scalar> Chart<S> {
         [left * size * first, risen * size * second].map(S::narrow)
     }
 
-    /// The [`coordinates`](Self::coordinates) of parameters inside of the domain, by vector instructions and in the numbers of the
-    /// scalar, up to a common factor; at an end some number in place of 0 or 1.
+    /// The [`coordinates`](Self::coordinates) of parameters inside of the domain, by vector instructions and in the
+    /// numbers of the scalar, up to a common factor; at an end some number in place of 0 or 1.
     #[inline(always)]
     #[allow(clippy::inline_always)] // it is compiled for the instructions of the caller
     pub(super) fn coordinates_into<const FUSED: bool>(
@@ -258,10 +260,10 @@ impl<S: Scalar> Chart<S> {
         if matches!(self.kind, Kind::Affine) { x } else { x / (s + x) }
     }
 
-    /// The factor `cos ψ1 / cos ψ0` of a circular map, 1 of others. Where an end is near a right angle `x` is near 0 on all of
-    /// the domain but a small part, and derivatives by it have no digits. Those by `y` keep them, with `1 - y : y = sin b :
-    /// sin a`: a polynomial with the Bernstein coefficients `c[j]` in `x` has in `y`, but for a common factor of all,
-    /// the coefficients `c[j]` times the j-th power of this.
+    /// The factor `cos ψ1 / cos ψ0` of a circular map, 1 of others. Where an end is near a right angle `x` is near 0 on
+    /// all of the domain but a small part, and derivatives by it have no digits. Those by `y` keep them, with `1 - y :
+    /// y = sin b : sin a`: a polynomial with the Bernstein coefficients `c[j]` in `x` has in `y`, but for a common
+    /// factor of all, the coefficients `c[j]` times the j-th power of this.
     #[inline]
     pub(crate) fn balance(&self) -> S {
         match self.kind {

@@ -1,7 +1,7 @@
 //! C as a header: C99 to C23 and C++17, without a library but for limits of floats.
 //!
-//! A family is a prefix of names: `Bell_values`. Shape values are checked by `Bell_init`, which fills a struct; points have
-//! any number of components, `dimension`, one after the other; nothing is allocated.
+//! A family is a prefix of names: `Bell_values`. Shape values are checked by `Bell_init`, which fills a struct; points
+//! have any number of components, `dimension`, one after the other; nothing is allocated.
 
 mod family;
 

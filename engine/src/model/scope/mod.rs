@@ -162,7 +162,8 @@ pub(crate) struct Scope<'a> {
     pub(crate) span: Option<(usize, usize)>,
     /// The families on all spans, once they are expanded, with the text of the family.
     pub(crate) siblings: Option<(Vec<std::rc::Rc<Family>>, &'a crate::syntax::Family)>,
-    /// Beside those, the calls of names with arguments around, the outermost first: on another span they have other values.
+    /// Beside those, the calls of names with arguments around, the outermost first: on another span they have other
+    /// values.
     pub(crate) call_sites: Vec<CallSite>,
     /// In how many integrals over several spans the formula stands.
     pub(crate) integrals: usize,

@@ -106,8 +106,8 @@ pub struct RationalForm {
     pub completed: Option<Completed>,
     /// Whether the coordinates s and x add up to 1: they do not where they are made of sines.
     pub is_affine: bool,
-    /// The number ρ of a denominator that is a power of s + ρ·x: values are computed in s and y = ρ·x, both times one power of
-    /// two, so that no power of s + y underflows; the factored forms of the functions are in these.
+    /// The number ρ of a denominator that is a power of s + ρ·x: values are computed in s and y = ρ·x, both times one
+    /// power of two, so that no power of s + y underflows; the factored forms of the functions are in these.
     pub ratio: Option<Poly>,
     /// Whether values are computed from the table of Bernstein coefficients of the numerators, as points of curves are:
     /// where these are long polynomials in the shape values, which are better computed in one place. Otherwise from

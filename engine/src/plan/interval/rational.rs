@@ -1,5 +1,5 @@
-//! Families with a denominator in the domain variable, or in its tangent: values, the tables of numerators and denominator,
-//! and the ends of the domain where these are shape parameters.
+//! Families with a denominator in the domain variable, or in its tangent: values, the tables of numerators and
+//! denominator, and the ends of the domain where these are shape parameters.
 
 use super::form::RationalForm;
 use super::{table, value};

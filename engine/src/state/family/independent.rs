@@ -75,8 +75,8 @@ pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
     Some(all)
 }
 
-/// What a dependence is read from where π, exp(r) and the like occur, without and with the functions times powers of one of
-/// them.
+/// What a dependence is read from where π, exp(r) and the like occur, without and with the functions times powers of
+/// one of them.
 const APART: [&str; 3] = [
     "table of coefficients of all powers of its numbers",
     "table of coefficients of the functions and of their multiples by a number",
@@ -86,11 +86,12 @@ const APART: [&str; 3] = [
 /// More rows than this are not looked at for a combination with powers of a number.
 const MAX_MULTIPLES: usize = 24;
 
-/// Dependence where numbers such as π and exp(r), or variables beside their sines, stand in the table: they become columns like
-/// the powers of the domain variables. A combination that vanishes column by column vanishes whatever they are; independence does
-/// not follow. To the functions their multiples by the powers of one number are added, of the first one only it alone: because
-/// this number is transcendental, a combination of all of them is one of the functions whose coefficients are polynomials in it
-/// and not all 0. Nothing where no number occurs, or where what is assumed is no part of a box.
+/// Dependence where numbers such as π and exp(r), or variables beside their sines, stand in the table: they become
+/// columns like the powers of the domain variables. A combination that vanishes column by column vanishes whatever they
+/// are; independence does not follow. To the functions their multiples by the powers of one number are added, of the
+/// first one only it alone: because this number is transcendental, a combination of all of them is one of the functions
+/// whose coefficients are polynomials in it and not all 0. Nothing where no number occurs, or where what is assumed is
+/// no part of a box.
 pub(super) fn apart(family: &Family) -> Vec<Said> {
     (0..APART.len()).filter_map(|raised| multiples_apart(family, raised)).flatten().listed()
 }
@@ -189,9 +190,9 @@ pub(super) const BY_SQUARES: [Squares; 3] = [Squares::Factors, Squares::Product,
 /// More functions than this have too large a determinant.
 const MAX_SQUARES: usize = 6;
 
-/// Independence as an inequality: det(A·Aᵀ), the sum of the squares of the maximal minors of the table A, is > 0 where what is
-/// assumed holds. Where that is no part of a box it may decide what the table on the whole box does not. `None` for many
-/// functions, and for variables beside their sines.
+/// Independence as an inequality: det(A·Aᵀ), the sum of the squares of the maximal minors of the table A, is > 0 where
+/// what is assumed holds. Where that is no part of a box it may decide what the table on the whole box does not. `None`
+/// for many functions, and for variables beside their sines.
 pub(super) fn by_squares(family: &Family, of: Squares) -> Option<Vec<Said>> {
     let Table { rows, .. } = table(family);
     let wide = |v: Var| {

@@ -46,8 +46,8 @@ pub use independent::{Table, table};
 #[cfg(any(test, feature = "rounding"))]
 pub use rounding::{point_error, point_name, value_errors};
 
-/// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent, or
-/// where nothing is known that is enough for it.
+/// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is
+/// spent, or where nothing is known that is enough for it.
 fn expressions(
     family: &Family,
     kind: &ClaimKind,
@@ -290,8 +290,8 @@ fn without_numbers(family: &Family, mut of: String, value: Fraction) -> (String,
     (of, result)
 }
 
-/// The expression of a claim whose sign is that of a value without powers of π and exp(r), and what was taken away; `None` if
-/// nothing was.
+/// The expression of a claim whose sign is that of a value without powers of π and exp(r), and what was taken away;
+/// `None` if nothing was.
 fn with_numbers(family: &Family, kind: &ClaimKind, of: &str) -> Option<(String, Fraction)> {
     let all: Vec<(String, Fraction)> = match kind {
         ClaimKind::Relation { differences, .. } => {

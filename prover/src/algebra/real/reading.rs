@@ -18,8 +18,8 @@ impl Algebraic {
         format!("root of {} between {} and {}", p.display(&names), decimal(self.low()), decimal(self.high()))
     }
 
-    /// The number as `sqrt(2)` or `1/2 - 1/6*sqrt(3)`, or else as [`describe`](Self::describe) has it, with a polynomial of a
-    /// smaller degree where one is known: for readers.
+    /// The number as `sqrt(2)` or `1/2 - 1/6*sqrt(3)`, or else as [`describe`](Self::describe) has it, with a
+    /// polynomial of a smaller degree where one is known: for readers.
     pub fn reading(&self, name: &str) -> String {
         const WORK: u64 = 1_000_000;
         let least = of_least_degree(self, &mut Work::new(WORK));
@@ -107,7 +107,8 @@ fn divisors(n: i64) -> Option<Vec<i64>> {
     Some(all.into_iter().map(|k| k as i64).listed())
 }
 
-/// A root of a quadratic polynomial a·x² + b·x + c as −b/(2a) ± q·√n with a whole number n without small square factors; `None` of other numbers.
+/// A root of a quadratic polynomial a·x² + b·x + c as −b/(2a) ± q·√n with a whole number n without small square
+/// factors; `None` of other numbers.
 pub fn in_square_roots(x: &Algebraic) -> Option<String> {
     let [c, b, a] = x.polynomial().coefficients() else { return None };
     let middle = (-b).checked_div(&(a + a))?;

@@ -155,8 +155,8 @@ impl<'f> Sample<'f> {
         some.then_some(Self { family: self.family, rows, premises: self.premises.clone() })
     }
 
-    /// The signs of a function by shape values along the domain; what is not seen, or not defined, is left out. Long functions
-    /// are looked at in fewer places.
+    /// The signs of a function by shape values along the domain; what is not seen, or not defined, is left out. Long
+    /// functions are looked at in fewer places.
     pub(super) fn signs(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Vec<i32>>> {
         let (points, each) = (self.rows.iter().map(Vec::len).sum::<usize>() as u64, cost(self.family, f));
         let stride = [1, 2, 4].into_iter().find(|n| points / n * each <= LOOKING).unwrap_or(4);
@@ -176,7 +176,8 @@ impl<'f> Sample<'f> {
         Some(self.rows.mapped(|row| row.iter().step_by(stride as usize).filter_map(sign).listed()))
     }
 
-    /// By shape values the signs of the Bernstein coefficients of a polynomial, raised to a degree; 0 for what is not seen.
+    /// By shape values the signs of the Bernstein coefficients of a polynomial, raised to a degree; 0 for what is not
+    /// seen.
     pub(super) fn bernstein(
         &self,
         p: &Poly,
@@ -215,8 +216,8 @@ impl<'f> Sample<'f> {
         Some(all)
     }
 
-    /// The points at which a function may be smallest: by shape values the one with the smallest value if that may be below
-    /// 0, then points nearer and nearer to one with a smaller value.
+    /// The points at which a function may be smallest: by shape values the one with the smallest value if that may be
+    /// below 0, then points nearer and nearer to one with a smaller value.
     pub(super) fn lowest(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Values>> {
         work.spend(cost(self.family, f))?;
         let near = with_numbers_near(self.family, f);
@@ -323,8 +324,9 @@ pub(super) fn middle(range: &Range) -> Rational {
     range.finite().map_or_else(|| typical(range), |(a, b)| &(a + b) * &Rational::new(1, 2))
 }
 
-/// A statement about a sign at one point, with all values of the variables that are not rational there between their bounds,
-/// and what is to be shown of these for the statement to be false; `None` where the point is none of the domain.
+/// A statement about a sign at one point, with all values of the variables that are not rational there between their
+/// bounds, and what is to be shown of these for the statement to be false; `None` where the point is none of the
+/// domain.
 pub(in crate::state::family) fn at_point(
     family: &Family,
     statement: &Statement,
