@@ -86,6 +86,9 @@ pub trait RationalBasis: Copy + PartialEq + Debug {
     }
 
     /// The derivatives `dᵏ b[i] / dtᵏ (t)` of all functions, `k = order`.
+    ///
+    /// They have no bound such as [`ROUNDING`](Self::ROUNDING). Of families with angles or exponentials on a domain of a
+    /// small length α in the angle the error is about `ε/αᵏ`.
     #[cfg(feature = "alloc")]
     fn derivatives(&self, t: Self::Scalar, order: usize) -> Self::Values {
         if order == 0 {
