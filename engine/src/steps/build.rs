@@ -12,27 +12,38 @@ pub struct Builder {
     steps: Vec<Step>,
     places: SortedMap<Step, usize>,
     names: Vec<(usize, String)>,
-    folds_all: bool,
-    ignores_scales: bool,
-    /// Whether the coordinates of [`Node::Bernstein`](crate::plan::Node::Bernstein) have the sum 1.
-    pub(super) sums_to_one: bool,
+    pub(super) manner: Manner,
+}
+
+/// What is done otherwise than it is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Manner {
+    /// Nothing.
+    #[default]
+    Plain,
+    /// Constants are computed with each other before they are rounded.
+    Folding,
+    /// Every [`Function::InversePowerOfTwo`] is 1.
+    WithoutScales,
+    /// Sums in Bernstein form are those of coordinates with the sum 1.
+    SumsToOne,
 }
 
 impl Builder {
     /// Computes constants with each other before they are rounded to floats, and functions of them to more digits than any
     /// float has: for numbers that are no operations of the runtime.
     pub fn folding() -> Self {
-        Self { folds_all: true, ..Self::default() }
+        Self { manner: Manner::Folding, ..Self::default() }
     }
 
     /// Takes all [`Function::InversePowerOfTwo`] for 1: of results in which they cancel, as they round nothing.
     pub(crate) fn without_scales() -> Self {
-        Self { ignores_scales: true, ..Self::default() }
+        Self { manner: Manner::WithoutScales, ..Self::default() }
     }
 
     /// With sums in Bernstein form whose coordinates have the sum 1.
     pub(super) fn of_sums_to_one() -> Self {
-        Self { sums_to_one: true, ..Self::default() }
+        Self { manner: Manner::SumsToOne, ..Self::default() }
     }
 
     fn push(&mut self, step: Step) -> usize {
@@ -71,7 +82,7 @@ impl Builder {
     ) -> Option<Rational> {
         let (a, b) = (self.constant_at(a)?, self.constant_at(b)?);
         let value = result(a, b)?;
-        if self.folds_all {
+        if self.manner == Manner::Folding {
             return Some(series::rounded(&value));
         }
         (is_exact(a) && is_exact(b) && is_exact(&value)).then_some(value)
@@ -185,10 +196,10 @@ impl Builder {
 
     /// A function of a.
     pub fn call(&mut self, function: Function, a: usize) -> usize {
-        if self.ignores_scales && function == Function::InversePowerOfTwo {
+        if self.manner == Manner::WithoutScales && function == Function::InversePowerOfTwo {
             return self.constant(Rational::ONE);
         }
-        if self.folds_all
+        if self.manner == Manner::Folding
             && let Some(value) = self.constant_at(a).and_then(|value| series::value(function, value))
         {
             return self.constant(value);

@@ -1,5 +1,6 @@
 //! From a plan to steps.
 
+use super::build::Manner;
 use super::{Builder, Function, Steps};
 use crate::algebra::rational::Rational;
 use crate::plan::{Node, Plan, Ref};
@@ -45,7 +46,7 @@ impl Builder {
                     continue;
                 }
                 Node::Part(whole, k) => values[whole.position()][*k],
-                Node::Bernstein { coefficients, s, x } if self.sums_to_one => {
+                Node::Bernstein { coefficients, s, x } if self.manner == Manner::SumsToOne => {
                     self.affine_bernstein(&all(coefficients), one(s), one(x))
                 }
                 Node::Bernstein { coefficients, s, x } => self.bernstein(&all(coefficients), one(s), one(x)),

@@ -25,8 +25,8 @@ pub(crate) fn value(function: Function, x: &Rational) -> Option<Rational> {
     let quotient = |a: Rational, b: &Rational| a.checked_div(b).map(|value| rounded(&value));
     let two = Rational::from(2);
     match function {
-        Function::Sin => Some(sin_cos(x).0),
-        Function::Cos => Some(sin_cos(x).1),
+        Function::Sin => Some(zero_at_turns(sin_cos(x).0, x)),
+        Function::Cos => Some(zero_at_turns(sin_cos(x).1, x)),
         Function::Tan => {
             let (sin, cos) = sin_cos(x);
             quotient(sin, &cos)
@@ -57,6 +57,12 @@ fn inverse_power_of_two(x: &Rational) -> Option<Rational> {
         power = &power * &Rational::new(1, 2);
     }
     Some(power)
+}
+
+/// A sine or cosine of x, which is 0 where that is as near to a multiple of π/2 as the digits of π that are known.
+fn zero_at_turns(value: Rational, x: &Rational) -> Rational {
+    let tiny = |y: &Rational, digits: u32| &y.abs() * &Rational::from(10).pow(digits) < Rational::ONE;
+    if tiny(&value, 40) && !tiny(x, 3) { Rational::ZERO } else { value }
 }
 
 /// x − x³/6 + … and 1 − x²/2 + …

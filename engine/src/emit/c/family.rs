@@ -450,7 +450,12 @@ impl Family<'_> {
             ),
             String::from("do not determine the points; -1 when a computed point is not finite."),
         ];
-        let zeros: Vec<&str> = all.iter().flat_map(|end| &end.undetermined).map(String::as_str).collect();
+        let mut zeros: Vec<&str> = Vec::new();
+        for zero in all.iter().flat_map(|end| &end.undetermined) {
+            if !zeros.contains(&zero.as_str()) {
+                zeros.push(zero);
+            }
+        }
         if !zeros.is_empty() {
             about.push(format!("They do not at {}.", zeros.join(", ")));
         }
