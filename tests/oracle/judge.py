@@ -290,6 +290,12 @@ def vanishing(own, r):
     return None
 
 
+def number(text):
+    """A fraction, or an irrational number as `-9/4 + 1/12*sqrt(753)` to many digits."""
+    value = sympy.sympify(text, rational=True)
+    return Fraction(int(value.p), int(value.q)) if value.is_Rational else mpmath.mpf(str(value.n(60)))
+
+
 # What a formula may take to expand.
 LIMITS = 'too much work|the highest degree|takes more than'
 
@@ -306,9 +312,11 @@ def refusal(own, messages, r):
     if own.kind != 'rational' or not all('denominator' in m for m in messages) or not messages:
         return f'the family is refused: {messages}'
     named = re.search(r'vanishes at ([^:]*)', messages[0])
-    if named and (pairs := re.findall(r'(\w+) = (-?\d+(?:/\d+)?)(?=,|$| )', named[1])):
-        env = {n: Fraction(x) for n, x in pairs}
-        if set(env) >= set(own.domain) | set(own.shapes) and own.denominator.eval(env) != 0:
+    if named:
+        # Fractions, and irrational numbers with square roots.
+        pairs = (pair.split(' = ') for pair in named[1].split(', '))
+        env = {n: number(x.strip()) for n, x in pairs if 'root of' not in x}
+        if set(env) >= set(own.domain) | set(own.shapes) and not is_zero(own.denominator.eval(env)):
             return f'the denominator does not vanish there: {messages[0]}'
     return None
 
