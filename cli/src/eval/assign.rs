@@ -59,7 +59,7 @@ pub(super) fn values(
         let names = role.names(family);
         let words: Vec<&str> = given.iter().map(|given| given.name).collect();
         for (given, meant) in given.iter().zip(name::each_position(&words, &names)) {
-            if name::positions(given.name, &names).is_empty() {
+            if meant.is_empty() {
                 table.assign(role, given);
             }
             for k in meant {

@@ -43,7 +43,7 @@ pub(super) fn settings(
     let words: Vec<&str> = arguments.iter().map(|argument| argument.name.as_str()).collect();
     for (argument, mut meant) in arguments.iter().zip(name::each_position(&words, &names)) {
         // Of an angle its own name, or that of its tangent.
-        let tangent = name::positions(&argument.name, &names).is_empty();
+        let tangent = meant.is_empty();
         if tangent {
             let tangents: Vec<&str> = family.shapes.iter().map(|p| p.name.as_str()).collect();
             meant.extend(name::position(&argument.name, &tangents));

@@ -136,8 +136,8 @@ fn at_sample(
         let Some(angle) = angle else { return own };
         if angle.kind == Kind::Linear {
             return match x {
-                Coordinate::Rational(x) if is_known(&Coordinate::Rational(x.clone())) => {
-                    itself(x).map(|f| super::written(family, &f))
+                Coordinate::Rational(rational) if is_known(x) => {
+                    itself(rational).map(|f| super::written(family, &f))
                 }
                 _ if is_exact => None,
                 _ => itself(&approximation(x)).and_then(|f| Some(about(&put(&f, &known)?.as_constant()?))),

@@ -456,9 +456,7 @@ impl OnSpan<'_> {
     /// The function of the runtime for polynomials in Bernstein form; where the functions are polynomials in the variable, its
     /// coordinates sum to 1.
     fn bernstein(&self) -> &'static str {
-        BERNSTEIN[usize::from(
-            self.form.is_affine && self.family.over.is_one() && !self.family.analytic.is_empty(),
-        )]
+        BERNSTEIN[usize::from(!self.form.divides(self.family) && !self.family.analytic.is_empty())]
     }
 
     /// What stands in the tangent of a shape parameter.

@@ -84,7 +84,7 @@ impl OnCoordinates {
             None => [&form.numerators.low, &form.numerators.high].map(|end| number(end.clone())),
         };
         // Polynomials on a domain that ends at shape parameters: the runtime evaluates them in another association.
-        if form.is_affine && family.over.is_one() {
+        if !form.divides(family) {
             return None;
         }
         let off = match angle.filter(|angle| angle.kind != Kind::Linear) {

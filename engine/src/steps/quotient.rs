@@ -417,7 +417,7 @@ impl Span<'_> {
             .collect();
         let at = |input: Input| inputs.iter().find(|(other, _)| *other == input).map(|(_, step)| *step);
         // As the runtime does: of polynomials in the domain variable the coordinates have the sum 1.
-        let is_polynomial = self.form.is_affine && self.family.over.is_one() && pair.is_some();
+        let is_polynomial = !self.form.divides(self.family) && pair.is_some();
         let mut own = if is_polynomial { Builder::of_sums_to_one() } else { Builder::default() };
         let outputs = own.plan(plan);
         builder.inline(&own.finish(&outputs), &at)
@@ -434,8 +434,9 @@ impl Span<'_> {
 
     /// The Bernstein coefficients of the denominator; `None` where it is 1.
     fn weights(&self, builder: &mut Builder) -> Option<Vec<usize>> {
-        let divides = !self.form.is_affine || !self.family.over.is_one();
-        divides.then(|| self.inline(builder, &rational::denominator(self.family, &self.form), None))
+        self.form
+            .divides(self.family)
+            .then(|| self.inline(builder, &rational::denominator(self.family, &self.form), None))
     }
 
     /// `Chart::coordinates`: `[s, x]` of the parameter.

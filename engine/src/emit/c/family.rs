@@ -171,12 +171,9 @@ impl Family<'_> {
             let double = C(super::Scalar::F64);
             let expressions = body(code, &derived.steps, &double);
             let mut inner = double.scalar_lets(&expressions);
-            let cast = if self.language.is_single() { "(float)" } else { "" };
             for (name, value) in code.derived.iter().zip(&expressions.outputs) {
-                let value = match cast {
-                    "" => value.text.clone(),
-                    _ => format!("{cast}({})", value.text),
-                };
+                let text = &value.text;
+                let value = if self.language.is_single() { format!("(float)({text})") } else { text.clone() };
                 inner += &format!("family->{name} = wrong ? ({t})NAN : {value};\n");
             }
             lines += &format!("{{\n{}}}\n", indented(&inner, "    "));

@@ -206,6 +206,11 @@ fn function(head: &str, doc: &str, lines: &str) -> String {
     format!("def {head}:\n{}", indented(&(doc + lines), "    "))
 }
 
+/// 1 where a comparison holds, else 0: of the type of what is compared, whatever it is multiplied with.
+fn comparison(a: &str, sign: &str, b: &str) -> String {
+    format!("(({a} {sign} {b}) * ({a} * 0.0 + 1.0))")
+}
+
 impl Language for Python {
     fn comment(&self, lines: &[String]) -> String {
         lines.iter().map(|line| format!("# {}", comment_line(line)).trim_end().to_string() + "\n").collect()
@@ -228,13 +233,11 @@ impl Language for Python {
     }
 
     fn unless(&self, [a, b, c]: &[String; 3]) -> String {
-        // Of the type of what is compared, though the other is a number of Python.
-        format!("({c} * (({a} != {b}) * ({a} * 0.0 + 1.0)))")
+        format!("({c} * {})", comparison(a, "!=", b))
     }
 
     fn less(&self, [a, b]: &[String; 2]) -> String {
-        // Of the type of what is compared.
-        format!("(({a} < {b}) * ({a} * 0.0 + 1.0))")
+        comparison(a, "<", b)
     }
 
     fn cut_off(&self, name: &str) -> String {

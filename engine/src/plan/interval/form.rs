@@ -135,6 +135,11 @@ impl RationalForm {
         if family.pieces.is_empty() { Some(vec![Self::new(family, 0)?]) } else { Self::of_spans(family) }
     }
 
+    /// Whether the functions are quotients in their coordinates, not polynomials in coordinates with the sum 1.
+    pub(crate) fn divides(&self, family: &Family) -> bool {
+        !self.is_affine || !family.over.is_one()
+    }
+
     /// The forms of a family on several spans, of one degree.
     pub fn of_spans(family: &Family) -> Option<Vec<Self>> {
         let mut least = 0;

@@ -24,7 +24,7 @@ pub fn values(family: &Family, form: &RationalForm) -> Plan {
     if let Some(ratio) = &form.ratio {
         builder.of_one_size(ratio);
     }
-    let divides = !form.is_affine || !family.over.is_one();
+    let divides = form.divides(family);
     let mut names = Vec::new();
     let denominator = divides.then(|| match &form.completed {
         Some(completed) => {
