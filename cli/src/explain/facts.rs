@@ -52,7 +52,7 @@ pub(super) struct FamilyFacts {
     /// Proved bounds of the rounding errors of evaluation.
     pub(super) rounding: Vec<Rounding>,
     /// What they assume of sines, exponentials and the like; nothing without these.
-    pub(super) rounding_assumes: Option<&'static str>,
+    pub(super) rounding_assumes: Option<String>,
     /// The control points that contacts determine.
     pub(super) contacts: Vec<Contact>,
     /// Matrices: to and from the Bernstein basis and another family, degree elevation, mass, stiffness, moments.

@@ -215,7 +215,7 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
         "Rounding errors of evaluation, at most",
         facts.rounding.iter().map(|r| (&r.of, &r.bound)),
     );
-    if let Some(assumed) = facts.rounding_assumes {
+    if let Some(assumed) = &facts.rounding_assumes {
         text += &format!("    {assumed}\n");
     }
     for contact in &facts.contacts {

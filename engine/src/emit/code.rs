@@ -11,7 +11,7 @@ use crate::plan::Input;
 use crate::plan::digits::split;
 use crate::plan::interval::form::RationalForm;
 use crate::plan::reach::{Reach, decimal};
-use crate::rounding::{Error, needs_functions};
+use crate::rounding::{Error, has_ends_beside_floats, needs_functions};
 use crate::steps::{Builder, FamilySteps, JoinSteps, Step, Steps};
 use crate::theorem::{Origin, Theorem};
 use basis_kernel::Relation;
@@ -306,6 +306,11 @@ impl<'a> FamilyCode<'a> {
     /// Whether bounds of rounding errors are proved that assume something of elementary functions.
     pub fn assumes_functions(&self) -> bool {
         needs_functions(self.family) && self.rounding.iter().any(Option::is_some)
+    }
+
+    /// Whether bounds of rounding errors take a float for an end or a knot next to it that is none.
+    pub fn takes_floats_for_ends(&self) -> bool {
+        has_ends_beside_floats(self.family) && self.rounding.iter().any(Option::is_some)
     }
 
     /// Whether the distance to an end of the domain is computed from a number in parts, as no float has it exactly.

@@ -100,7 +100,7 @@ pub trait Language {
     fn is_single(&self) -> bool;
 
     /// Whether its sines, exponentials and the like are as accurate as [bounds of rounding
-    /// errors](crate::rounding::ASSUMED) assume.
+    /// errors](crate::rounding::assumed) assume.
     fn has_accurate_functions(&self) -> bool {
         true
     }

@@ -5,7 +5,7 @@ use quote::quote_spanned;
 
 use super::code::tokens::{float, site};
 use crate::model::Family;
-use crate::rounding::{ASSUMED, Error, decimal, grouped, needs_functions};
+use crate::rounding::{Error, assumed, decimal, grouped};
 use crate::state::{point_error, value_errors};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -72,7 +72,7 @@ pub(super) fn lines(bounds: &Bounds, family: &Family) -> Vec<String> {
     if !bounds.values.is_empty() {
         let groups = grouped(&bounds.values, family, "unknown");
         let texts = groups.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
-        let assumed = if needs_functions(family) { format!(", {ASSUMED}") } else { String::new() };
+        let assumed = assumed(family).map_or_else(String::new, |text| format!(", {text}"));
         let texts = texts.join("; ");
         let line = format!("Rounding errors of the values, proved to be at most: {texts}{assumed}.");
         lines.extend([String::new(), line]);

@@ -20,6 +20,7 @@
 
 use super::exact::{is_float, is_power_of_two};
 use super::{Inputs, least_multiple, rest};
+use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
@@ -28,7 +29,7 @@ use crate::model::{Family, Parameter};
 use crate::plan::Input;
 use crate::plan::interval::form::RationalForm;
 use crate::plan::interval::rational;
-use crate::steps::{Builder, Function, Step, Steps, elementary};
+use crate::steps::{Builder, Function, Step, Steps, elementary, sums};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// How many u the sine, cosine, exponential and `exp_m1` of the standard library of a language are off: one unit in the
@@ -45,20 +46,48 @@ const HYPERBOLIC: i64 = 2 * ULP + 2;
 const TO_A_NUMBER: i64 = 3;
 
 /// What bounds assume of the elementary functions of a language, for families that need these.
-pub const ASSUMED: &str = "as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two; the float next to an end of the domain that is none, such as pi/2, is taken for that end";
+const FUNCTIONS: &str = "as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two";
+
+/// What a float is taken for where an end or a knot is none.
+pub const NEAREST: &str =
+    "the float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot";
 
 /// Whether the values of a family are computed by elementary functions, so that bounds assume something of these.
 pub fn needs_functions(family: &Family) -> bool {
-    let pieces = family.pieces.iter().map(|piece| &**piece);
-    pieces.chain([family]).any(|piece| piece.analytic.is_transcendental())
+    all_spans(family).any(|piece| piece.analytic.is_transcendental())
+}
+
+/// Whether an end of the domain or a knot is no float for some shape values.
+pub fn has_ends_beside_floats(family: &Family) -> bool {
+    all_spans(family).any(|piece| {
+        let Some((var, low, high)) = piece.interval() else { return false };
+        let ends = match piece.analytic.angle(var) {
+            Some(angle) => angle.limits.clone(),
+            None => [low, high].map(|end| Fraction::constant(end.clone())),
+        };
+        ends.iter()
+            .any(|end| piece.analytic.number(end).map_or_else(|| !is_parameter(end), |end| !is_float(&end)))
+    })
+}
+
+fn all_spans(family: &Family) -> impl Iterator<Item = &Family> {
+    family.pieces.iter().map(|piece| &**piece).chain([family])
+}
+
+/// What the bounds of a family assume; `None` where that is nothing.
+pub fn assumed(family: &Family) -> Option<String> {
+    match (needs_functions(family), has_ends_beside_floats(family)) {
+        (true, true) => Some(format!("{FUNCTIONS}; {NEAREST}")),
+        (true, false) => Some(String::from(FUNCTIONS)),
+        (false, true) => Some(String::from(NEAREST)),
+        (false, false) => None,
+    }
 }
 
 /// The values on a span as steps whose inputs are the coordinates and the tangents.
 pub(super) struct OnCoordinates {
     pub(super) steps: Steps,
     pub(super) inputs: Inputs,
-    /// Whether a float is compared with the lower end as it is.
-    pub(super) starts_at_float: bool,
 }
 
 /// An end of a domain.
@@ -75,32 +104,42 @@ fn u(count: i64) -> Rational {
 }
 
 impl OnCoordinates {
-    /// `None` where nothing is known of how far the coordinates or tangents are off.
-    pub(super) fn new(family: &Family, form: &RationalForm) -> Option<Self> {
-        let steps = values(family, form);
+    /// Those of a span, in parts of it on which the runtime does the same. `None` where nothing is known of how far the
+    /// coordinates or tangents are off.
+    pub(super) fn new(family: &Family, form: &RationalForm) -> Option<Vec<Self>> {
         let angle = family.analytic.angle(form.numerators.var);
         let ends = match angle {
             Some(angle) => [end(family, angle, 0)?, end(family, angle, 1)?],
             None => [&form.numerators.low, &form.numerators.high].map(|end| number(end.clone())),
         };
-        // Polynomials on a domain that ends at shape parameters: the runtime evaluates them in another association.
         if !form.divides(family) {
-            return None;
+            // Where both coordinates are nearly the same, either may be the smaller one of the floats.
+            let beyond = &Rational::new(1, 2) + &Rational::new(1, 1 << 10);
+            let parts = [(&Rational::ONE - &beyond, Rational::ONE), (Rational::ZERO, beyond)];
+            let mut all = Vec::new();
+            for (k, (low, high)) in parts.into_iter().enumerate() {
+                let steps = in_coordinate(k, family, form);
+                let inputs = inputs(family, &steps, &linear(&ends), Range::closed(low, high))?;
+                all.push(Self { steps, inputs });
+            }
+            return Some(all);
         }
+        let mut builder = Builder::without_scales();
+        let outputs = builder.plan(&rational::values(family, form));
+        let steps = builder.finish(&outputs);
         let off = match angle.filter(|angle| angle.kind != Kind::Linear) {
             Some(_) if !is_homogeneous(&steps) => return None,
             Some(angle) if angle.kind == Kind::Circular => circular(angle, &ends)?,
             Some(angle) => hyperbolic(angle, &ends)?,
             None => linear(&ends),
         };
-        let starts_at_float = ends[0].distance < TO_A_NUMBER;
-        Some(Self { inputs: inputs(family, &steps, &off)?, steps, starts_at_float })
+        Some(vec![Self { inputs: inputs(family, &steps, &off, Range::unit())?, steps }])
     }
 }
 
-/// The values of all functions from the coordinates s and x and the tangents of shape parameters.
-fn values(family: &Family, form: &RationalForm) -> Steps {
-    let mut builder = Builder::without_scales();
+/// The values of all functions from the coordinates s and x, whose sum is 1, where the k-th of both is the smaller one.
+fn in_coordinate(k: usize, family: &Family, form: &RationalForm) -> Steps {
+    let mut builder = Builder::in_coordinate(k);
     if !form.is_tabulated {
         let outputs = builder.plan(&rational::values(family, form));
         return builder.finish(&outputs);
@@ -109,22 +148,23 @@ fn values(family: &Family, form: &RationalForm) -> Steps {
     let count = form.numerators.len().max(1);
     let [s, x] = [0, 1].map(|k| builder.input(Input::Coordinate(k)));
     let mut outputs = Vec::new();
-    for k in 0..form.numerators.len() {
-        let column = entries.chunks(count).map(|row| row[k]).listed();
-        let value = builder.bernstein(&column, s, x);
-        outputs.push(if family.nonnegative.get(k) == Some(&true) { builder.cut_off(value) } else { value });
+    for place in 0..form.numerators.len() {
+        let column = entries.chunks(count).map(|row| row[place]).listed();
+        let value = builder.bernstein_in(k, &column, s, x);
+        let is_nonnegative = family.nonnegative.get(place) == Some(&true);
+        outputs.push(if is_nonnegative { builder.cut_off(value) } else { value });
     }
     builder.finish(&outputs)
 }
 
 /// The inputs of the steps; `None` where a shape parameter stands beside its tangent, or nothing is known of a tangent.
-fn inputs(family: &Family, steps: &Steps, coordinates: &[Rational; 2]) -> Option<Inputs> {
+fn inputs(family: &Family, steps: &Steps, coordinates: &[Rational; 2], place: Range) -> Option<Inputs> {
     let angles = &family.analytic.angles;
     let shapes = family.shapes.len();
     let mut ranges: Vec<(Var, Range)> = family.shapes.mapped(|p| (p.var, p.range.clone()));
     let first = ranges.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
     let y = Var(first);
-    ranges.push((y, Range::unit()));
+    ranges.push((y, place));
     let mut off = Vec::new();
     for input in steps.inputs() {
         let (value, weight) = match input {
@@ -210,17 +250,22 @@ fn number(value: Rational) -> End {
     End { known: Some(value), distance }
 }
 
-/// An end that is a number, or a multiple of a shape parameter by a power of 2; `None` for any other one, of which the
-/// float may be farther off than the parameter is from it.
+/// An end that is a number, a multiple of a shape parameter by a power of 2, or a sum of such multiples; `None` for any
+/// other one, of which the float may be farther off than the parameter is from it.
 fn end(family: &Family, angle: &Angle, k: usize) -> Option<End> {
     let limit = &angle.limits[k];
     if let Some(value) = family.analytic.number(limit) {
         return Some(number(value));
     }
-    let form = limit.as_poly()?;
-    let (monomial, c) = form.leading_term()?;
-    let is_float = form.len() == 1 && monomial.total_degree() == 1 && is_power_of_two(c);
-    is_float.then_some(End { known: None, distance: 1 })
+    let distance = if is_parameter(limit) { 1 } else { TO_A_NUMBER };
+    (distance == 1 || sums(family, angle).is_some()).then_some(End { known: None, distance })
+}
+
+/// Whether an end is a multiple of a shape parameter by a power of 2.
+fn is_parameter(end: &Fraction) -> bool {
+    let Some(form) = end.as_poly() else { return false };
+    let is_power = |c: &Rational| is_power_of_two(c);
+    form.len() == 1 && form.leading_term().is_some_and(|(m, c)| m.total_degree() == 1 && is_power(c))
 }
 
 /// ψ at an end that is a number.

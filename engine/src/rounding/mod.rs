@@ -44,14 +44,14 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::model::{Family, Parameter};
+use crate::model::Family;
 use crate::plan::Input;
 use crate::plan::evaluated::is_evaluated;
 use crate::plan::interval::form::RationalForm;
 use crate::steps::{FamilySteps, Steps};
 use absolute::Absolute;
 use angles::OnCoordinates;
-pub use angles::{ASSUMED, needs_functions};
+pub use angles::{NEAREST, assumed, has_ends_beside_floats, needs_functions};
 use cell::Cell;
 use exact::Exact;
 use relative::Relative;
@@ -163,7 +163,7 @@ impl Bound {
 /// for all of them.
 ///
 /// `None` in place of a list when the work is spent, the family is too large to be generated, has an angle beside its
-/// sine, an end that is computed from shape parameters, or a knot that is no float.
+/// sine, or an end that is computed otherwise than as a sum of multiples of shape parameters.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
     let spans = spans(family)?;
     basis_prover::working(family.budget, &mut |work| {
@@ -209,26 +209,15 @@ fn spans(family: &Family) -> Option<Vec<(Steps, Inputs)>> {
     let mut spans = Vec::new();
     for (k, form) in RationalForm::of_family(family)?.iter().enumerate() {
         let own = family.pieces.get(k).map_or(family, |piece| &**piece);
-        let OnCoordinates { steps, inputs, starts_at_float } = OnCoordinates::new(own, form)?;
-        // Where a knot is no float, the float next to it lies in the wrong span.
-        if k > 0 && !starts_at_float {
-            return None;
-        }
-        spans.push((steps, inputs));
+        spans.extend(OnCoordinates::new(own, form)?.into_iter().map(|part| (part.steps, part.inputs)));
     }
     Some(spans)
 }
 
-/// The steps of a family without angles, whose inner knots are floats: none other is known to the theorems here.
+/// The steps of a family without angles.
 fn without_angles(family: &Family) -> Option<FamilySteps<'_>> {
-    let (first, others) =
-        family.pieces.split_first().map_or((family, &[][..]), |(first, rest)| (&**first, rest));
-    // Where a knot is no float, the float next to it lies in the wrong span.
-    let is_fine = |piece: &Family| {
-        let starts_at = |p: &Parameter| p.range.low.value().is_some_and(exact::is_float);
-        piece.analytic.is_empty() && piece.domain.first().is_some_and(starts_at)
-    };
-    (first.analytic.is_empty() && others.iter().all(|piece| is_fine(piece)))
+    let is_plain = |piece: &Family| piece.analytic.is_empty();
+    (is_plain(family) && family.pieces.iter().all(|piece| is_plain(piece)))
         .then(|| FamilySteps::new(family))?
 }
 

@@ -27,6 +27,8 @@ pub(super) enum Manner {
     WithoutScales,
     /// Sums in Bernstein form are those of coordinates with the sum 1.
     SumsToOne,
+    /// These, in one of both coordinates, as if it were the smaller one.
+    InCoordinate(usize),
 }
 
 impl Builder {
@@ -44,6 +46,11 @@ impl Builder {
     /// With sums in Bernstein form whose coordinates have the sum 1.
     pub(super) fn of_sums_to_one() -> Self {
         Self { manner: Manner::SumsToOne, ..Self::default() }
+    }
+
+    /// With such sums in one of both coordinates, as if it were the smaller one.
+    pub(crate) fn in_coordinate(k: usize) -> Self {
+        Self { manner: Manner::InCoordinate(k), ..Self::default() }
     }
 
     fn push(&mut self, step: Step) -> usize {

@@ -1,6 +1,7 @@
 //! The steps of all that can be evaluated of a family.
 
-use super::quotient::{Derived, Quotients};
+use super::derived::Derived;
+use super::quotient::Quotients;
 use super::runtime::NetFactor;
 use super::{Builder, Steps, lower};
 use crate::algebra::rational::Rational;

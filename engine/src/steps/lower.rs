@@ -46,10 +46,16 @@ impl Builder {
                     continue;
                 }
                 Node::Part(whole, k) => values[whole.position()][*k],
-                Node::Bernstein { coefficients, s, x } if self.manner == Manner::SumsToOne => {
-                    self.affine_bernstein(&all(coefficients), one(s), one(x))
+                Node::Bernstein { coefficients, s, x } => {
+                    let (coefficients, s, x) = (all(coefficients), one(s), one(x));
+                    match self.manner {
+                        Manner::SumsToOne => self.affine_bernstein(&coefficients, s, x),
+                        Manner::InCoordinate(k) => self.bernstein_in(k, &coefficients, s, x),
+                        Manner::Plain | Manner::Folding | Manner::WithoutScales => {
+                            self.bernstein(&coefficients, s, x)
+                        }
+                    }
                 }
-                Node::Bernstein { coefficients, s, x } => self.bernstein(&all(coefficients), one(s), one(x)),
                 Node::Combine { points, weights } => self.combination(&all(points), &all(weights)),
                 Node::SimplexSum { coefficients, at, degree } => {
                     self.simplex_sum(&all(coefficients), &all(at), *degree as usize)

@@ -13,6 +13,8 @@
 //! addition with a product it adds, a rounding is left out. The loops of the runtime over slices use other associations.
 
 mod build;
+mod chart;
+mod derived;
 mod evaluate;
 mod family;
 #[cfg(any(test, feature = "tools"))]
@@ -27,12 +29,13 @@ use crate::plan::Input;
 use basis_prover::collections::sort::sort;
 
 pub use build::Builder;
+pub(crate) use chart::sums;
+pub use derived::Derived;
 pub use evaluate::Number;
 pub use family::{EndSteps, FamilySteps};
 #[cfg(any(test, feature = "tools"))]
 pub use join::JoinSteps;
 pub use lower::lower;
-pub use quotient::Derived;
 pub(crate) use series::value as elementary;
 
 /// A computation in single operations.

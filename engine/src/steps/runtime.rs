@@ -5,6 +5,7 @@ use super::Builder;
 use crate::algebra::number::binomial;
 use crate::algebra::rational::Rational;
 use crate::plan::patch::form::multi_indices;
+use basis_prover::collections::list::Listed;
 
 impl Builder {
     /// `Point::add_scaled`: a + b·factor.
@@ -83,11 +84,26 @@ impl Builder {
         let smaller = either(x, s);
         let from_its_end: Vec<usize> =
             (0..points.len()).map(|k| either(points[k], points[degree - k])).collect();
-        let Some((first, rest)) = from_its_end.split_first() else { return self.zero() };
+        self.in_smaller(&from_its_end, smaller)
+    }
+
+    /// [`affine_bernstein`](Self::affine_bernstein) where the k-th of both is the smaller one.
+    pub(crate) fn bernstein_in(&mut self, k: usize, points: &[usize], s: usize, x: usize) -> usize {
+        match (points.len(), k) {
+            (..3, _) => self.bernstein(points, s, x),
+            (_, 0) => self.in_smaller(&points.iter().rev().copied().listed(), s),
+            _ => self.in_smaller(points, x),
+        }
+    }
+
+    /// The sum in Bernstein form in the smaller of two coordinates with the sum 1.
+    fn in_smaller(&mut self, points: &[usize], smaller: usize) -> usize {
+        let degree = points.len().saturating_sub(1) as u32;
+        let Some((first, rest)) = points.split_first() else { return self.zero() };
         let (mut sum, mut lost, mut power) = (*first, self.zero(), self.one());
         for (point, k) in rest.iter().zip(1..) {
             power = self.mul(power, smaller);
-            let binomial = self.constant(binomial(degree as u32, k));
+            let binomial = self.constant(binomial(degree, k));
             let (factor, product) = (self.mul(power, binomial), self.mul(sum, smaller));
             let term = self.mul(*point, factor);
             let step = self.sub(term, product);

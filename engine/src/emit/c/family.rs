@@ -110,8 +110,10 @@ impl Family<'_> {
         text += "// They hold for fused operations too, as long as nothing overflows; a product that underflows is off by\n";
         text += "// half the smallest number, which a division after it may enlarge.\n";
         if code.assumes_functions() {
-            text += "// They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two. The float\n";
-            text += "// next to an end of the domain that is none, such as pi/2, is taken for that end.\n";
+            text += "// They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two.\n";
+        }
+        if code.takes_floats_for_ends() {
+            text += "// The float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot.\n";
         }
         let bounds = code.rounding.iter().map(|error| bound_text(error.as_ref()));
         let bounds: Vec<(bool, String)> =

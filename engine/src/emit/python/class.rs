@@ -63,7 +63,10 @@ impl Class<'_> {
         text += "# Rounding errors of the values, proved, in units of 2**-52, or 2**-23 for float32: of |value| where relative. They\n";
         text += "# hold as long as nothing overflows; a product that underflows is off by half the smallest number, which a\n# division after it may enlarge.\n";
         if code.assumes_functions() {
-            text += "# They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two. The float next to\n# an end of the domain that is none, such as pi/2, is taken for that end.\n";
+            text += "# They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two.\n";
+        }
+        if code.takes_floats_for_ends() {
+            text += "# The float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot.\n";
         }
         let bounds = code.rounding.iter().map(|error| match bound_text(error.as_ref()) {
             Some((true, bound)) => format!("(\"relative\", {bound})"),

@@ -120,7 +120,12 @@ impl Class<'_> {
         )];
         if code.assumes_functions() {
             about.push(String::from(
-                "They assume that Math.sin, cos, tan and expm1 are within one unit in the last place, Math.tanh within two. The float next to an end of the domain that is none, such as pi/2, is taken for that end.",
+                "They assume that Math.sin, cos, tan and expm1 are within one unit in the last place, Math.tanh within two.",
+            ));
+        }
+        if code.takes_floats_for_ends() {
+            about.push(String::from(
+                "The float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot.",
             ));
         }
         text += &documented(&about);

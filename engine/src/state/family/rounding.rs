@@ -10,8 +10,8 @@ use basis_prover::collections::list::Listed;
 const METHOD: &str = "signs of the shares of all roundings";
 
 /// The errors of the values of all functions with the evidence for them; nothing for one without a bound. The list is
-/// empty when there is no code for the family, or it is too large, has an angle beside its sine, an end that is computed from
-/// shape parameters, or a knot that is no float.
+/// empty when there is no code for the family, or it is too large, has an angle beside its sine, or an end that is computed
+/// otherwise than as a sum of multiples of shape parameters.
 pub fn value_errors(family: &Family) -> Vec<Option<(Error, Evidence)>> {
     let bounds = rounding::values(family).unwrap_or_default();
     let label = |k: usize| family.function_label(k);
@@ -56,7 +56,7 @@ pub(super) fn statements(family: &Family, epsilons: &Rational) -> Option<Vec<Sta
 pub(super) fn decide(family: &Family, epsilons: &Rational) -> Verdict {
     let Some(bounds) = rounding::values(family) else {
         return Verdict::Undecided(String::from(
-            "rounding errors are bounded for families with code that are not too large, without `t` beside `sin(t)`, with ends that are numbers or shape parameters and inner knots that are floats",
+            "rounding errors are bounded for families with code that are not too large, without `t` beside `sin(t)`, with ends and knots that are numbers or sums of multiples of shape parameters",
         ));
     };
     let mut largest: Option<(String, &Bound)> = None;
