@@ -133,6 +133,8 @@ proptest! {
         let times = times.min(curve.degree() + 1);
         let multiplicity = curve.knots().multiplicity(t);
         prop_assume!(multiplicity == 0);
+        // Next to another knot removal divides by small distances, and rounding counts.
+        prop_assume!(curve.knots().breakpoints().iter().all(|knot| (knot - t).abs() > 1e-3));
         let finer = curve.insert_knots(&vec![t; times]).unwrap();
         let (back, removed) = finer.remove_knot(t, times, 1e-7).unwrap();
         prop_assert_eq!(removed, times);

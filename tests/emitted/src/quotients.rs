@@ -31,7 +31,7 @@ const _: () = basis_runtime::generated::unchanged(
 ///
 /// `b[0]`: cut off at 0, below which only rounding could take what is proved nonnegative.
 ///
-/// Rounding errors of the values, proved to be at most: `b[0]`: 36.24 ε of the value; `b[1]`: 41.25 ε of the value; `b[2]`: 16.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two; the float next to an end of the domain that is none, such as pi/2, is taken for that end.
+/// Rounding errors of the values, proved to be at most: `b[0]`: 36.24 ε of the value; `b[1]`: 41.25 ε of the value; `b[2]`: 16.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
 ///
 /// # Claims
 ///
@@ -216,7 +216,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Swing<S> {
 ///
 /// for `0 <= t <= ρ`, `0 < ρ <= 4`.
 ///
-/// Rounding errors of the values, proved to be at most: `b[0]`: 11.26 ε of the value; `b[1]`: 11.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two; the float next to an end of the domain that is none, such as pi/2, is taken for that end.
+/// Rounding errors of the values, proved to be at most: `b[0]`: 11.26 ε of the value; `b[1]`: 11.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
 ///
 /// # Claims
 ///
