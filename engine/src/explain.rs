@@ -8,7 +8,7 @@ mod reading;
 mod theorems;
 
 pub use contacts::{Contact, contacts};
-pub use extrema::{Extrema, Extremum, extrema};
+pub use extrema::{AllExtrema, Extrema, Extremum, Locus, LocusKind, extrema};
 pub use matrices::{Matrix, MatrixKind, conversions, matrices};
 pub use theorems::determined_points;
 

@@ -57,8 +57,10 @@ pub(super) struct FamilyFacts {
     pub(super) contacts: Vec<Contact>,
     /// Matrices: to and from the Bernstein basis and another family, degree elevation, mass, stiffness, moments.
     pub(super) matrices: Vec<MatrixFacts>,
-    /// Zeros and extrema of the functions of one variable that are negative somewhere.
+    /// Zeros and extrema of the functions that are negative somewhere.
     pub(super) extrema: Vec<ExtremaFacts>,
+    /// The functions of which nothing of this is said, and why.
+    pub(super) extrema_open: Vec<String>,
     /// The largest ranges of the shape parameters on which all functions are nonnegative.
     pub(super) nonnegative: Vec<String>,
     /// The claims with their verdicts; none where they are not asked for.
@@ -126,10 +128,18 @@ pub(super) struct MatrixFacts {
 #[derive(Debug, Serialize)]
 pub(super) struct ExtremaFacts {
     pub(super) name: String,
-    /// Such as `t = 1/2`.
+    /// Such as `t = 1/2` or `(u, v, w) = (0, 0, 1)`.
     pub(super) zeros: Vec<String>,
+    /// Lines, curves and so on at whose points it is zero.
+    pub(super) zeros_on: Vec<Locus>,
+    /// Whether there may be other zeros.
+    pub(super) zeros_open: bool,
     pub(super) minimum: Extremum,
     pub(super) maximum: Extremum,
+    /// Whether the extreme values may be taken at other points, too.
+    pub(super) extrema_open: bool,
+    /// Whether the extreme values are bounds.
+    pub(super) bounds: bool,
 }
 
 /// A least or greatest value with the points at which it is taken.
@@ -137,6 +147,17 @@ pub(super) struct ExtremaFacts {
 pub(super) struct Extremum {
     pub(super) value: String,
     pub(super) at: Vec<String>,
+    /// Lines, curves and so on at all of whose points it is taken.
+    pub(super) on: Vec<Locus>,
+}
+
+/// The points of the domain that satisfy an equation.
+#[derive(Debug, Serialize)]
+pub(super) struct Locus {
+    /// `line`, `curve`, `plane`, `surface`, or `domain` for all points.
+    pub(super) kind: &'static str,
+    /// Such as `2*u + v = 1`.
+    pub(super) equation: String,
 }
 
 /// What there is to say of a join or theorem.
@@ -202,12 +223,19 @@ fn matrix(matrix: &explain::Matrix) -> MatrixFacts {
 }
 
 fn extrema(facts: explain::Extrema) -> ExtremaFacts {
-    let extremum = |e: explain::Extremum| Extremum { value: e.value, at: e.at };
+    let loci = |all: Vec<explain::Locus>| -> Vec<Locus> {
+        all.into_iter().map(|l| Locus { kind: l.kind.name(), equation: l.equation }).collect()
+    };
+    let extremum = |e: explain::Extremum| Extremum { value: e.value, at: e.at, on: loci(e.on) };
     ExtremaFacts {
         name: facts.label,
         zeros: facts.zeros,
+        zeros_on: loci(facts.zeros_on),
+        zeros_open: facts.zeros_are_open,
         minimum: extremum(facts.minimum),
         maximum: extremum(facts.maximum),
+        extrema_open: facts.is_open,
+        bounds: facts.are_bounds,
     }
 }
 
@@ -224,6 +252,7 @@ impl FamilyFacts {
     ) -> Self {
         let set = explain::exceptional_set(family);
         let rounding = explain::rounding(family);
+        let all_extrema = explain::extrema(span);
         let function = |facts: FunctionFacts| {
             let FunctionFacts { label, factored, expanded, bernstein, .. } = facts;
             let latex = latex::math(&factored).unwrap_or_default();
@@ -250,7 +279,8 @@ impl FamilyFacts {
             rounding: rounding.into_iter().map(|(of, bound)| Rounding { of, bound }).collect(),
             contacts: explain::contacts(span).into_iter().map(contact).collect(),
             matrices: conversions.iter().chain(&explain::matrices(library, span, next)).map(matrix).collect(),
-            extrema: explain::extrema(span).into_iter().map(extrema).collect(),
+            extrema: all_extrema.known.into_iter().map(extrema).collect(),
+            extrema_open: all_extrema.open,
             nonnegative: explain::nonnegative_ranges(span).iter().map(ToString::to_string).collect(),
             claims: checked.map_or_else(Vec::new, claims),
         }

@@ -4,6 +4,7 @@ use basis_engine::query::latex::{escape, inline, math, name as latex_name};
 
 use super::facts::{ClaimFacts, Contact, Equation, Facts, FamilyFacts, TheoremFacts};
 use super::lines::{display, loose};
+use super::places;
 
 /// The document.
 pub(super) fn document(all: &[Facts]) -> String {
@@ -102,22 +103,21 @@ fn of_span(facts: &FamilyFacts) -> String {
         text.push('\n');
     }
     for f in &facts.extrema {
-        let taken = |e: &super::facts::Extremum| {
-            let at: Vec<String> = e.at.iter().map(|x| inline(x)).collect();
-            format!("{} at {}", inline(&e.value), at.join(", "))
-        };
-        let zeros: Vec<String> = f.zeros.iter().map(|x| inline(x)).collect();
-        let zeros = if zeros.is_empty() {
-            String::from("no zeros")
-        } else {
-            format!("zeros at {}", zeros.join(", "))
-        };
+        let (least, greatest) = (places::taken(&f.minimum, &inline), places::taken(&f.maximum, &inline));
         text += &format!(
-            "The function {} has {zeros}, the least value {} and the greatest value {}.\n\n",
+            "The function {} has {}, the least value {least} and the greatest value {greatest}.",
             inline(&f.name),
-            taken(&f.minimum),
-            taken(&f.maximum)
+            places::zeros(f, &inline).replacen("zero ", "zeros ", 1),
         );
+        for note in places::notes(f) {
+            let (first, rest) = note.split_at(1);
+            text += &format!(" {}{rest}.", first.to_uppercase());
+        }
+        text += "\n\n";
+    }
+    for open in &facts.extrema_open {
+        let (name, why) = open.split_once(": ").unwrap_or((open, ""));
+        text += &format!("Zeros and extrema of {} are not stated: {}.\n\n", inline(name), escape(why));
     }
     text
 }

@@ -4,6 +4,7 @@ mod facts;
 mod latex;
 mod lines;
 mod matrix;
+mod places;
 
 use std::rc::Rc;
 
@@ -227,19 +228,7 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
     for matrix in &facts.matrices {
         grid(&mut text, matrix);
     }
-    if !facts.extrema.is_empty() {
-        text += "\n  Functions that are negative somewhere\n";
-        for f in &facts.extrema {
-            let zeros = if f.zeros.is_empty() {
-                String::from("no zeros")
-            } else {
-                format!("zero at {}", f.zeros.join(", "))
-            };
-            let taken = |e: &facts::Extremum| format!("{} at {}", e.value, e.at.join(", "));
-            let (least, greatest) = (taken(&f.minimum), taken(&f.maximum));
-            text += &format!("    {}: {zeros}; least value {least}; greatest value {greatest}\n", f.name);
-        }
-    }
+    places::section(&mut text, facts);
     if !facts.nonnegative.is_empty() {
         text += "\n  All functions are nonnegative, the other parameters in their declared ranges, for\n";
         for range in &facts.nonnegative {

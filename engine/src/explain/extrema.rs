@@ -1,17 +1,22 @@
-//! Zeros, least and greatest values of functions of one variable that are negative somewhere.
+//! Zeros, least and greatest values of functions that are negative somewhere.
 
+mod bounds;
+mod domain;
+mod level;
+mod numbers;
 mod parametric;
+mod point;
+mod several;
+mod stationary;
+mod system;
 
 use core::cmp::Ordering;
 
+use self::numbers::{about, approximation, compare, roots, sort, text, value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
-use crate::algebra::rational::{Rational, ToFloat as _};
-use crate::algebra::real::algebraic::{Algebraic, number};
-use crate::algebra::real::field::Field;
-use crate::algebra::real::reading::{in_square_roots, of_least_degree};
-use crate::algebra::real::roots::isolate;
+use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::model::Family;
@@ -19,57 +24,171 @@ use crate::model::angle::{Kind, multiple_of_pi};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, candidates, typical};
 
-/// The work for the extrema of a family.
+/// The work for the extrema of a family, and of one function of several variables.
 const WORK: u64 = 20_000_000;
+const OF_SEVERAL: u64 = 1_000_000;
 
 /// Where a function is zero and where it is least and greatest.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extrema {
     /// The name of the function, such as `b[1]`.
     pub label: String,
-    /// Its zeros on the domain, such as `t = 1/2`.
+    /// Its zeros on the domain, such as `t = 1/2` or `(u, v, w) = (0, 0, 1)`; those that are on no line or curve of zeros.
     pub zeros: Vec<String>,
+    /// Lines, curves and so on at whose points it is zero.
+    pub zeros_on: Vec<Locus>,
+    /// Whether it may have other zeros.
+    pub zeros_are_open: bool,
     /// Its least value.
     pub minimum: Extremum,
     /// Its greatest value.
     pub maximum: Extremum,
+    /// Whether the extreme values may be taken at other points, too.
+    pub is_open: bool,
+    /// Whether the values are proved bounds: the exact ones are out of reach.
+    pub are_bounds: bool,
+}
+
+impl Extrema {
+    /// Of a function without zeros.
+    fn new(label: &str, minimum: Extremum, maximum: Extremum) -> Self {
+        Self {
+            label: label.to_owned(),
+            zeros: Vec::new(),
+            zeros_on: Vec::new(),
+            zeros_are_open: false,
+            minimum,
+            maximum,
+            is_open: false,
+            are_bounds: false,
+        }
+    }
 }
 
 /// A least or greatest value and where it is taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extremum {
-    /// The value.
+    /// The value, or `between -1/8 and -0.12`.
     pub value: String,
     /// The points, such as `t = 1/3`.
     pub at: Vec<String>,
+    /// Lines, curves and so on at all of whose points it is taken.
+    pub on: Vec<Locus>,
 }
 
-/// The functions of one variable that are negative somewhere on the domain; an end that the domain leaves out counts, as a
-/// limit. With shape parameters for all of their values, where zeros and extrema are quotients of polynomials in them,
-/// or at values that are named. Of functions that contain π or exp(r) what is no value at an end of the domain is a
-/// decimal. Nothing is said of functions that contain a variable beside its sine.
-pub fn extrema(family: &Family) -> Vec<Extrema> {
-    if family.interval().is_none() {
-        return Vec::new();
+/// The points of a domain of several dimensions that satisfy an equation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Locus {
+    /// What they are.
+    pub kind: LocusKind,
+    /// The equation, such as `2*u + v = 1`; nothing for the whole domain.
+    pub equation: String,
+}
+
+/// What the points are that satisfy an equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LocusKind {
+    /// A part of a line.
+    Line,
+    /// A curve.
+    Curve,
+    /// A part of a plane.
+    Plane,
+    /// A surface.
+    Surface,
+    /// All points.
+    Domain,
+}
+
+impl LocusKind {
+    /// What has this dimension.
+    const fn new(dimension: usize, is_flat: bool) -> Self {
+        match (dimension, is_flat) {
+            (0 | 1, true) => Self::Line,
+            (0 | 1, false) => Self::Curve,
+            (_, true) => Self::Plane,
+            (_, false) => Self::Surface,
+        }
     }
-    let mut all = Vec::new();
+
+    /// The word for it, such as `line`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Line => "line",
+            Self::Curve => "curve",
+            Self::Plane => "plane",
+            Self::Surface => "surface",
+            Self::Domain => "domain",
+        }
+    }
+}
+
+/// What is known of the functions of a family that are negative somewhere.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct AllExtrema {
+    /// Their zeros and extrema.
+    pub known: Vec<Extrema>,
+    /// Of which functions nothing is said, and why: `b[2]: it contains a number that is not rational`.
+    pub open: Vec<String>,
+}
+
+/// What is known of a function.
+enum Found {
+    /// It is negative nowhere.
+    Nonnegative,
+    Known(Box<Extrema>),
+    /// Nothing, and why.
+    Open(String),
+}
+
+/// What is said where the work is spent.
+const SPENT: &str = "too much work";
+
+/// The functions that are negative somewhere on the domain; an end that the domain leaves out counts, as a limit. With shape
+/// parameters for all of their values, where zeros and extrema are quotients of polynomials in them, or at values that are
+/// named. Of functions of one variable that contain π or exp(r) what is no value at an end of the domain is a decimal. Of
+/// functions of several variables exact values if they are within reach, else proved bounds.
+pub fn extrema(family: &Family) -> AllExtrema {
+    let mut all = AllExtrema::default();
     basis_prover::within(WORK, &mut || {
         let work = &mut Work::new(WORK);
         let (sample, numbers) = (sample(family), family.analytic.numbers());
         for (k, f) in family.functions.iter().enumerate() {
             let label = family.function_label(k);
-            let found = match parametric::of_function(family, &f.value, work) {
-                Some(found) => found.map(|found| Extrema { label, ..found }),
-                // Without work for one function there is none for the others.
-                None => match at_sample(family, (&label, &f.value), &sample, &numbers, work) {
-                    Some(found) => found,
-                    None => return,
-                },
+            let found = if family.interval().is_none() {
+                let (exact, label) = with_values(family, (&label, &f.value), &sample, &numbers);
+                exact.map(|exact| several::of_function(family, &label, &exact, &mut Work::new(OF_SEVERAL)))
+            } else {
+                match parametric::of_function(family, &f.value, work) {
+                    Some(Some(found)) => {
+                        Some(Found::Known(Box::new(Extrema { label: label.clone(), ..found })))
+                    }
+                    Some(None) => Some(Found::Nonnegative),
+                    None => at_sample(family, (&label, &f.value), &sample, &numbers, work),
+                }
             };
-            all.extend(found);
+            match found.unwrap_or_else(|| Found::Open(String::from(SPENT))) {
+                Found::Nonnegative => {}
+                Found::Known(found) => all.known.push(*found),
+                Found::Open(why) => all.open.push(format!("{label}: {why}")),
+            }
         }
     });
     all
+}
+
+/// A function at the values of the shape parameters that it contains, and its name with these.
+fn with_values(
+    family: &Family,
+    (label, f): (&str, &Fraction),
+    sample: &[(Var, Rational)],
+    numbers: &[Var],
+) -> (Option<Fraction>, String) {
+    let shapes = sample.iter().filter(|(v, _)| !numbers.contains(v) && f.depends_on(*v)).listed();
+    let put = |f: Fraction, (v, x): &&(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
+    let shown = shapes.iter().map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
+    let label = if shown.is_empty() { label.to_owned() } else { format!("{label} at {}", shown.join(", ")) };
+    (shapes.iter().try_fold(f.clone(), put), label)
 }
 
 /// Shape values that satisfy what is assumed, away from the ends of their ranges where that is possible.
@@ -88,17 +207,16 @@ fn sample(family: &Family) -> Vec<(Var, Rational)> {
     piece.image(&point).into_iter().filter_map(rational).listed()
 }
 
-/// What is known of a function at some shape values; nothing inside if it is negative nowhere or contains other variables,
-/// `None` when the work is spent.
-#[expect(clippy::option_option, reason = "the work may be spent")]
+/// What is known of a function of one variable at some shape values; `None` when the work is spent.
 fn at_sample(
     family: &Family,
     (label, f): (&str, &Fraction),
     sample: &[(Var, Rational)],
     numbers: &[Var],
     work: &mut Work,
-) -> Option<Option<Extrema>> {
-    let Some((var, low, high)) = family.interval() else { return Some(None) };
+) -> Option<Found> {
+    let (var, low, high) = family.interval()?;
+    let open = |why: &str| Some(Found::Open(String::from(why)));
     // What the function does not contain may be anything.
     let shapes = sample.iter().filter(|(v, _)| !numbers.contains(v) && f.depends_on(*v)).listed();
     let known = sample.iter().filter(|(v, _)| numbers.contains(v)).listed();
@@ -107,15 +225,19 @@ fn at_sample(
         values.iter().try_fold(f.clone(), put)
     };
     let part = |p: &Poly| Univariate::from_poly(p, var);
-    let Some(exact) = put(f, &shapes) else { return Some(None) };
+    let (Some(exact), label) = with_values(family, (label, f), sample, numbers) else {
+        return open("it has no value at simple shape values");
+    };
     let is_exact = !numbers.iter().any(|v| exact.depends_on(*v));
     let parts = put(&exact, &known).and_then(|f| Some((part(f.numer())?, part(f.denom())?)));
-    let Some((numer, denom)) = parts else { return Some(None) };
+    let Some((numer, denom)) = parts else {
+        return open("a variable stands in it beside its sine or exponential");
+    };
     if [low, high].iter().any(|end| denom.sign_at(end) == 0) {
-        return Some(None); // without a bound next to an end that the domain leaves out
+        return open("it has no bound next to an end that the domain leaves out");
     }
     let Some((zeros, least, greatest)) = of_function(&numer, &denom, low, high, work)? else {
-        return Some(None);
+        return Some(Found::Nonnegative);
     };
     let slope = exact.derivative_within(var, work)?;
     let angle = family.analytic.angle(var);
@@ -168,11 +290,10 @@ fn at_sample(
             Some(value) => super::written(family, &value),
             None => about(&approximation(&value)),
         };
-        Extremum { value, at: at(&points) }
+        Extremum { value, at: at(&points), on: Vec::new() }
     };
-    let shown: Vec<String> = shapes.iter().map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
-    let label = if shown.is_empty() { label.to_owned() } else { format!("{label} at {}", shown.join(", ")) };
-    Some(Some(Extrema { label, zeros: at(&zeros), minimum: extremum(least), maximum: extremum(greatest) }))
+    let found = Extrema { zeros: at(&zeros), ..Extrema::new(&label, extremum(least), extremum(greatest)) };
+    Some(Found::Known(Box::new(found)))
 }
 
 /// A value and the points at which it is taken.
@@ -225,123 +346,6 @@ fn of_function(
     }
     sort(&mut zeros, work)?;
     Some(Some((zeros, least, greatest)))
-}
-
-/// The zeros of a polynomial strictly between two numbers; none of the polynomial 0.
-fn roots(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work) -> Option<Vec<Coordinate>> {
-    if p.is_constant() {
-        return Some(Vec::new());
-    }
-    let p = p.square_free_part(work)?;
-    let mut all = Vec::new();
-    for mut root in isolate(&p, Some(low), Some(high), work)? {
-        root.detect_rational(&p, work)?;
-        all.push(match number(&p, &root)? {
-            Ok(x) => Coordinate::Rational(x),
-            Err(x) => Coordinate::Algebraic(of_least_degree(&x.tidy(work)?, work)?),
-        });
-    }
-    Some(all)
-}
-
-/// The value of numer/denom at a number.
-fn value(numer: &Univariate, denom: &Univariate, x: &Coordinate, work: &mut Work) -> Option<Coordinate> {
-    match x {
-        Coordinate::Rational(x) => {
-            let at =
-                |p: &Univariate| p.coefficients().iter().rev().fold(Rational::ZERO, |sum, c| &(&sum * x) + c);
-            Some(Coordinate::Rational(at(numer).checked_div(&at(denom))?))
-        }
-        Coordinate::Algebraic(x) => {
-            let mut field = Field::new(x.clone());
-            let below = field.reduce(denom, work)?;
-            let inverse = field.inverse(&below, work)?;
-            let above = field.reduce(numer, work)?;
-            let value = field.mul(&above, &inverse, work)?;
-            let value = field.reduce(&value, work)?;
-            Some(match field.number(&value, work)? {
-                Ok(x) => Coordinate::Rational(x),
-                Err(x) => match rational(&x, work)? {
-                    Some(x) => Coordinate::Rational(x),
-                    None => Coordinate::Algebraic(of_least_degree(&x, work)?),
-                },
-            })
-        }
-    }
-}
-
-/// The number, if it is rational after all.
-#[expect(clippy::option_option, reason = "the work may be spent")]
-fn rational(x: &Algebraic, work: &mut Work) -> Option<Option<Rational>> {
-    let mut all = isolate(x.polynomial(), Some(x.low()), Some(x.high()), work)?;
-    let Some(root) = all.first_mut() else { return Some(None) };
-    root.detect_rational(x.polynomial(), work)?;
-    Some(number(x.polynomial(), root)?.ok())
-}
-
-fn compare(a: &Coordinate, b: &Coordinate, work: &mut Work) -> Option<Ordering> {
-    Some(match (a, b) {
-        (Coordinate::Rational(a), Coordinate::Rational(b)) => a.cmp(b),
-        (Coordinate::Algebraic(a), Coordinate::Rational(b)) => a.compare(b),
-        (Coordinate::Rational(a), Coordinate::Algebraic(b)) => b.compare(a).reverse(),
-        (Coordinate::Algebraic(a), Coordinate::Algebraic(b)) => a.compare_with(b, work)?,
-    })
-}
-
-/// In increasing order, each number once.
-fn sort(all: &mut Vec<Coordinate>, work: &mut Work) -> Option<()> {
-    let mut sorted: Vec<Coordinate> = Vec::new();
-    for x in all.drain(..) {
-        let mut place = sorted.len();
-        while place > 0 && compare(&x, &sorted[place - 1], work)? == Ordering::Less {
-            place -= 1;
-        }
-        if place == 0 || compare(&x, &sorted[place - 1], work)? != Ordering::Equal {
-            sorted.insert(place, x);
-        }
-    }
-    *all = sorted;
-    Some(())
-}
-
-/// A number for reading: a fraction, `1/2 - 1/6*sqrt(3)`, or a decimal with the polynomial of which it is a root.
-fn text(x: &Coordinate) -> String {
-    match x {
-        Coordinate::Rational(x) => x.to_string(),
-        Coordinate::Algebraic(x) => {
-            in_square_roots(x).unwrap_or_else(|| format!("{} ({})", decimal(x), x.describe("x")))
-        }
-    }
-}
-
-/// A rational number next to another one.
-fn approximation(x: &Coordinate) -> Rational {
-    match x {
-        Coordinate::Rational(x) => x.clone(),
-        Coordinate::Algebraic(x) => {
-            let mut x = x.clone();
-            for _ in 0..60 {
-                x.refine();
-            }
-            x.low().clone()
-        }
-    }
-}
-
-/// The decimal of a number that is computed with approximations.
-fn about(x: &Rational) -> String {
-    format!("about {}", digits(x))
-}
-
-/// Nine digits of a number.
-fn decimal(x: &Algebraic) -> String {
-    digits(&approximation(&Coordinate::Algebraic(x.clone())))
-}
-
-/// Nine digits behind the point, or of a small number nine digits.
-fn digits(x: &Rational) -> String {
-    let x = x.to_f64();
-    if x == 0.0 || x.abs() >= 1e-3 { format!("{x:.9}") } else { format!("{x:.8e}") }
 }
 
 #[cfg(test)]

@@ -51,12 +51,8 @@ pub(super) fn of_function(family: &Family, f: &Fraction, work: &mut Work) -> Opt
     }
     let greatest = all.extreme(&values, true, work)?;
     let zeros = if f.is_zero() { Vec::new() } else { all.roots(f.numer(), work)? };
-    Some(Some(Extrema {
-        label: String::new(),
-        zeros: zeros.mapped(|point| all.place(point)),
-        minimum: all.extremum(least),
-        maximum: all.extremum(greatest),
-    }))
+    let zeros = zeros.mapped(|point| all.place(point));
+    Some(Some(Extrema { zeros, ..Extrema::new("", all.extremum(least), all.extremum(greatest)) }))
 }
 
 /// What is known of the domain and the shape values.
@@ -143,6 +139,7 @@ impl Known<'_> {
         Extremum {
             value: super::super::written(self.family, &value),
             at: points.mapped(|point| self.place(point)),
+            on: Vec::new(),
         }
     }
 
