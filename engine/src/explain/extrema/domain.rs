@@ -6,34 +6,50 @@ use std::rc::Rc;
 use super::numbers;
 use super::point::{Point, constant};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::real::field::Element;
 use crate::algebra::work::Work;
 use crate::model::{Factor, Family};
 use basis_kernel::{Domain, Simplex};
+use basis_prover::Coordinate;
 use basis_prover::collections::list::{Listed, Mapped};
 
+/// The steps of the lattice on which signs are looked at.
+const STEPS: i64 = 6;
+
 /// A product of intervals and simplices.
+#[derive(Clone)]
 pub(super) struct Product {
     parts: Vec<Part>,
+    /// The names of all variables.
     names: Vec<String>,
 }
 
+/// A facet: what is put in place of one of the variables of the domain, the domain of the others, and the equation.
+pub(super) struct Facet {
+    pub(super) fixed: (Var, Poly),
+    pub(super) domain: Product,
+    pub(super) equation: String,
+}
+
 /// A factor of a domain.
+#[derive(Clone)]
 enum Part {
     Interval {
         var: Var,
-        name: String,
         low: Rational,
         high: Rational,
+        /// Of an angle its own name, and what it is at some of its tangents.
+        angle: Option<(String, Vec<(Rational, String)>)>,
     },
     /// The independent barycentric coordinates, and the name of the last one.
     Simplex {
         vars: Vec<Var>,
-        names: Vec<String>,
         last: String,
+        /// The names of all coordinates in the order of the spec.
+        order: Vec<String>,
     },
 }
 
@@ -110,27 +126,109 @@ impl Part {
 }
 
 impl Product {
-    /// The factors of the domain of a family that contain variables of a function; `None` if an end is not finite.
-    pub(super) fn of(family: &Family, f: &Fraction) -> Option<Self> {
-        let mut parts = Vec::new();
+    /// The factors of the domain of a family that contain variables of a function, and the function in those barycentric
+    /// coordinates of which it has the fewest; `None` if an end is not finite.
+    pub(super) fn of(family: &Family, f: &Fraction) -> Option<(Self, Fraction)> {
+        let mut all = Self { parts: Vec::new(), names: family.names.clone() };
+        let mut f = f.clone();
         for factor in family.factors() {
             match factor {
                 Factor::Interval(p) if f.depends_on(p.var) => {
                     let (low, high) = p.range.finite()?;
                     let (low, high) = (low.clone(), high.clone());
-                    parts.push(Part::Interval { var: p.var, name: p.name.clone(), low, high });
+                    let angle = family.analytic.angle(p.var).map(|angle| {
+                        let mut known = vec![(low.clone(), angle.ends[0].clone())];
+                        known.push((high.clone(), angle.ends[1].clone()));
+                        known.retain(|(_, text)| !text.is_empty());
+                        (angle.name.clone(), known)
+                    });
+                    all.parts.push(Part::Interval { var: p.var, low, high, angle });
                 }
                 Factor::Simplex(own, last) if own.iter().any(|p| f.depends_on(p.var)) => {
-                    parts.push(Part::Simplex {
-                        vars: own.mapped(|p| p.var),
-                        names: own.mapped(|p| p.name.clone()),
-                        last: last.name.clone(),
-                    })
+                    let vars = own.mapped(|p| p.var);
+                    let mut last_name = last.name.clone();
+                    let others = |f: &Fraction| vars.iter().filter(|var| f.depends_on(**var)).count();
+                    let rest = |sum: Fraction, v: &Var| &sum - &Fraction::var(*v);
+                    let rest = vars.iter().fold(Fraction::constant(Rational::ONE), rest);
+                    for var in &vars {
+                        let other = f.substitute(*var, &rest)?;
+                        if others(&other) < others(&f) {
+                            f = other;
+                            core::mem::swap(&mut last_name, all.names.get_mut(var.0)?);
+                            break;
+                        }
+                    }
+                    let order = factor.variables().map(|p| p.name.clone()).listed();
+                    all.parts.push(Part::Simplex { vars, last: last_name, order });
                 }
                 _ => {}
             }
         }
-        Some(Self { parts, names: family.names.clone() })
+        Some((all, f))
+    }
+
+    /// The facets.
+    pub(super) fn facets(&self) -> Vec<Facet> {
+        let mut all = Vec::new();
+        for (k, part) in self.parts.iter().enumerate() {
+            let without = |part: Option<Part>| {
+                let mut parts = self.parts.clone();
+                parts.splice(k..=k, part);
+                Self { parts, names: self.names.clone() }
+            };
+            match part {
+                Part::Interval { var, low, high, .. } => {
+                    for end in [low, high] {
+                        let fixed = (*var, Poly::constant(end.clone()));
+                        let equation = self.value(*var, end);
+                        all.push(Facet { fixed, domain: without(None), equation });
+                    }
+                }
+                Part::Simplex { vars, last, order } => {
+                    let mut facet = |vars: Vec<Var>, last: &str, fixed: (Var, Poly), zero: &str| {
+                        let smaller = Part::Simplex { vars, last: last.to_owned(), order: order.clone() };
+                        let smaller = Some(smaller).filter(|part| !part.vars().is_empty());
+                        all.push(Facet { fixed, domain: without(smaller), equation: format!("{zero} = 0") });
+                    };
+                    for var in vars {
+                        let others = vars.iter().copied().filter(|v| v != var).listed();
+                        facet(others, last, (*var, Poly::zero()), self.name(*var));
+                    }
+                    if let Some((var, others)) = vars.split_last() {
+                        let rest = others.iter().fold(Poly::one(), |rest, v| &rest - &Poly::var(*v));
+                        facet(others.to_vec(), self.name(*var), (*var, rest), last);
+                    }
+                }
+            }
+        }
+        all
+    }
+
+    /// `x = 1/2`, of an angle that is known `t = pi/2`.
+    fn value(&self, var: Var, x: &Rational) -> String {
+        self.known(var, x).unwrap_or_else(|| format!("{} = {x}", self.name(var)))
+    }
+
+    /// The same for any number.
+    pub(super) fn at(&self, var: Var, x: &Coordinate) -> String {
+        match x {
+            Coordinate::Rational(x) => self.value(var, x),
+            Coordinate::Algebraic(_) => format!("{} = {}", self.name(var), numbers::text(x)),
+        }
+    }
+
+    /// An angle that is known by its tangent, `t = pi/2`.
+    fn known(&self, var: Var, x: &Rational) -> Option<String> {
+        let (name, all) = self.parts.iter().find_map(|part| match part {
+            Part::Interval { var: own, angle, .. } if *own == var => angle.as_ref(),
+            _ => None,
+        })?;
+        all.iter().find(|(known, _)| known == x).map(|(_, text)| format!("{name} = {text}"))
+    }
+
+    /// The name of an independent variable.
+    pub(super) fn name(&self, var: Var) -> &str {
+        self.names.get(var.0).map_or("", String::as_str)
     }
 
     /// The number of dimensions.
@@ -250,19 +348,27 @@ impl Product {
     pub(super) fn written(&self, point: &Point, work: &mut Work) -> Option<String> {
         let (mut names, mut values) = (Vec::new(), Vec::new());
         for part in &self.parts {
-            let own = part.vars().mapped(|var| point.element(*var));
-            let mut all = own.clone();
-            match part {
-                Part::Interval { name, .. } => names.push(name.clone()),
-                Part::Simplex { names: own_names, last, .. } => {
-                    names.extend(own_names.iter().cloned());
-                    names.push(last.clone());
-                    let sum = own.iter().fold(Element::default(), |sum, x| sum.add(x));
-                    all.push(constant(&Rational::ONE).add(&sum.scale(&Rational::from(-1))));
+            let own = match part {
+                Part::Interval { var, .. } => vec![self.name(*var).to_owned()],
+                Part::Simplex { order, .. } => order.clone(),
+            };
+            for name in own {
+                // On a facet the others are 0.
+                let x = point.number(&self.coordinate(&name, point).unwrap_or_default(), work)?;
+                let known = match (part, &x) {
+                    (Part::Interval { var, .. }, Coordinate::Rational(x)) => self.known(*var, x),
+                    _ => None,
+                };
+                match known.as_deref().and_then(|known| known.split_once(" = ")) {
+                    Some((name, text)) => {
+                        names.push(name.to_owned());
+                        values.push(text.to_owned());
+                    }
+                    None => {
+                        names.push(name);
+                        values.push(numbers::text(&x));
+                    }
                 }
-            }
-            for x in &all {
-                values.push(numbers::text(&point.number(x, work)?));
             }
         }
         if let ([name], [value]) = (&names[..], &values[..]) {
@@ -273,6 +379,15 @@ impl Product {
 
     /// `f = 0` as `2*u = 1` or `u^2 + v^2 = w`: of the ways to write a function of barycentric coordinates the shortest.
     pub(super) fn equation(&self, f: &Poly) -> String {
+        if let [var] = f.variables()[..]
+            && let [c, d] = &f.coefficients_in(var)[..]
+            && let Some(known) = (-c)
+                .as_constant()
+                .zip(d.as_constant())
+                .and_then(|(c, d)| self.known(var, &c.checked_div(&d)?))
+        {
+            return known;
+        }
         let mut ways: Vec<(Poly, Vec<String>)> = vec![(f.clone(), self.names.clone())];
         for part in &self.parts {
             let Part::Simplex { vars, last, .. } = part else { continue };
@@ -290,26 +405,30 @@ impl Product {
         }
         let text = |(p, names): &(Poly, Vec<String>)| {
             let mut p = p.normalized();
-            if p.terms().filter(|(_, c)| c.is_negative()).count()
-                > p.terms().filter(|(_, c)| c.is_positive()).count()
-            {
+            let signs = |p: &Poly, sign: i32| p.terms().filter(|(_, c)| c.signum() == sign).count();
+            if signs(&p, -1) > signs(&p, 1) {
                 p = -&p;
             }
-            let constant =
-                p.terms().find(|(m, _)| m.total_degree() == 0).map_or(Rational::ZERO, |(_, c)| c.clone());
-            let above = &p - &Poly::constant(constant.clone());
-            let (above, right) = match above.leading_term() {
-                // A single variable has no factor.
-                Some((_, c)) if above.len() == 1 && above.total_degree() == 1 => {
-                    let unit = c.recip().unwrap_or(Rational::ONE);
-                    (above.scale(&unit), &-&constant * &unit)
-                }
-                Some((_, c)) if c.is_negative() && above.terms().all(|(_, c)| c.is_negative()) => {
-                    (-&above, constant)
-                }
-                _ => (above, -&constant),
+            let part = |sign: i32, all: bool| {
+                let own =
+                    |(m, c): &(&Monomial, &Rational)| c.signum() == sign && (all || m.total_degree() > 0);
+                Poly::from_terms(p.terms().filter(own).map(|(m, c)| (m.clone(), c.clone())))
             };
-            format!("{} = {right}", above.display(names))
+            // Without minus signs where it can be; a number stands on the right.
+            let (mut left, mut right) = (part(1, true), -&part(-1, true));
+            if part(-1, false).is_zero() {
+                left = part(1, false);
+                right = &left - &p;
+            } else if part(1, false) != left && !part(1, false).is_zero() {
+                core::mem::swap(&mut left, &mut right);
+            }
+            if let (1, 1, Some((_, c))) = (left.len(), left.total_degree(), left.leading_term())
+                && right.as_constant().is_some()
+            {
+                let unit = c.recip().unwrap_or(Rational::ONE);
+                (left, right) = (left.scale(&unit), right.scale(&unit));
+            }
+            format!("{} = {}", left.display(names), right.display(names))
         };
         let texts = ways.mapped(text);
         texts.into_iter().min_by_key(|text| text.chars().count()).unwrap_or_default()
@@ -317,25 +436,8 @@ impl Product {
 }
 
 impl Product {
-    /// The only coordinate of which a polynomial is a function, with the variable that stands for it in a polynomial in one
-    /// variable; nothing for functions of several.
-    pub(super) fn of_one(&self, p: &Poly) -> Option<(String, Var, Poly)> {
-        if let [var] = p.variables()[..] {
-            return Some((self.names.get(var.0)?.clone(), var, p.clone()));
-        }
-        for part in &self.parts {
-            let Part::Simplex { vars, last, .. } = part else { continue };
-            let (var, sum) = (*vars.first()?, vars.iter().fold(Poly::zero(), |sum, v| &sum + &Poly::var(*v)));
-            let of_last = p.substitute(var, &(&Poly::one() - &sum));
-            if of_last.variables() == [var] {
-                return Some((last.clone(), var, of_last));
-            }
-        }
-        None
-    }
-
     /// The coordinate of this name at a point.
-    pub(super) fn coordinate(&self, name: &str, point: &Point) -> Option<Element> {
+    fn coordinate(&self, name: &str, point: &Point) -> Option<Element> {
         for part in &self.parts {
             let (vars, last) = match part {
                 Part::Interval { var, .. } => (core::slice::from_ref(var), None),
@@ -350,6 +452,44 @@ impl Product {
             }
         }
         None
+    }
+
+    /// Whether more than one point of the domain has the coordinates of a point in these variables.
+    pub(super) fn is_line(&self, used: &[Var], point: &mut Point, work: &mut Work) -> Option<bool> {
+        for part in &self.parts {
+            if part.vars().iter().all(|var| used.contains(var)) {
+                continue;
+            }
+            let Part::Simplex { vars, .. } = part else { return Some(true) };
+            let own = vars.iter().filter(|var| used.contains(var));
+            let rest = own.fold(Poly::one(), |rest, var| &rest - &Poly::var(*var));
+            let rest = point.eval(&rest, work)?;
+            if point.sign(&rest, work)? > 0 {
+                return Some(true);
+            }
+        }
+        Some(false)
+    }
+
+    /// Whether a polynomial has values of both signs at some points.
+    pub(super) fn changes_sign(&self, p: &Poly) -> bool {
+        let signs = self.signs(p);
+        signs.contains(&1) && signs.contains(&-1)
+    }
+
+    /// The signs of a polynomial at some points, each once.
+    pub(super) fn signs(&self, p: &Poly) -> Vec<i32> {
+        let mut signs = Vec::new();
+        for point in self.corners().into_iter().chain(self.lattice(STEPS)) {
+            let sign = at(p, &point).map_or(0, |x| x.signum());
+            if sign != 0 && !signs.contains(&sign) {
+                signs.push(sign);
+            }
+            if signs.len() == 2 {
+                break;
+            }
+        }
+        signs
     }
 
     /// The range of an independent variable.

@@ -15,24 +15,26 @@ use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use basis_kernel::{Relation, Statement};
 use basis_prover::collections::list::Listed;
+use basis_prover::collections::sort::sort;
 use basis_prover::{Failure, decide};
-
-/// The steps of the lattice on which signs are looked at.
-const STEPS: i64 = 6;
 
 /// Where a polynomial is 0.
 #[derive(Debug, Default)]
 pub(super) struct Level {
     /// Lines, curves and so on.
     pub(super) loci: Vec<Locus>,
+    /// The polynomials that vanish on each of them.
+    pub(super) equations: Vec<Vec<Poly>>,
     /// Points that lie on none of them.
     pub(super) points: Vec<Point>,
+    /// Whether it has a factor, not of degree 1, that does not change its sign.
+    pub(super) touches: bool,
     /// Whether there may be more.
     pub(super) open: bool,
 }
 
-/// Where a polynomial is 0; `known` are these points but for those on curves, or nothing if they are not known. The functions of
-/// the family have `free` further variables.
+/// Where a polynomial is 0. For one that does not change its sign, `known` are these points but for those on curves; else nothing.
+/// The domain of the family has `free` further dimensions.
 pub(super) fn level(
     domain: &Product,
     p: &Poly,
@@ -41,10 +43,9 @@ pub(super) fn level(
     work: &mut Work,
 ) -> Option<Level> {
     let mut found = Level::default();
-    let mut on: Vec<Poly> = Vec::new();
     let mut points: Vec<Point> = known.map(<[Point]>::to_vec).unwrap_or_default();
     let size = domain.dimension() + free;
-    for (factor, _) in checked_factor(p, work)?.1 {
+    for (factor, exponent) in checked_factor(p, work)?.1 {
         if factor.total_degree() == 1 {
             let corners = domain.corners();
             let signs = corners.iter().filter_map(|corner| Some(at(&factor, corner)?.signum())).listed();
@@ -57,33 +58,39 @@ pub(super) fn level(
                 _ => {
                     let equation = domain.equation(&factor);
                     found.loci.push(Locus { kind: LocusKind::new(own + free, true), equation });
-                    on.push(factor);
+                    found.equations.push(vec![factor]);
                 }
             }
             continue;
         }
-        if let Some((name, var, single)) = domain.of_one(&factor) {
+        if let [var] = factor.variables()[..] {
             // On the whole range of a coordinate there are points.
             let (low, high) = domain.range(var)?;
-            for root in numbers::roots(&Univariate::from_poly(&single, var)?, &low, &high, work)? {
-                let equation = format!("{name} = {}", numbers::text(&root));
+            for root in numbers::roots(&Univariate::from_poly(&factor, var)?, &low, &high, work)? {
+                let equation = format!("{} = {}", domain.name(var), numbers::text(&root));
                 found.loci.push(Locus { kind: LocusKind::new(size - 1, true), equation });
+                found.equations.push(vec![factor.clone()]);
             }
-            on.push(factor);
             continue;
         }
-        match sign(domain, &factor) {
+        // At an extreme value only squares change their sign.
+        let own =
+            if known.is_some() && exponent % 2 == 1 { Sign::NonNegative } else { sign(domain, &factor) };
+        found.touches |= own == Sign::NonNegative;
+        match own {
             Sign::Changes => {
                 let equation = domain.equation(&factor);
                 found.loci.push(Locus { kind: LocusKind::new(size - 1, false), equation });
-                on.push(factor);
+                found.equations.push(vec![factor]);
             }
             Sign::Positive => {}
-            _ if known.is_some() => {}
             Sign::Unknown => found.open = true,
+            // On facets there may be lines and curves.
+            Sign::NonNegative if known.is_some() => on_facets(domain, &factor, free, &mut found, work)?,
             Sign::NonNegative => match stationary(domain, &Fraction::from(factor.clone()), true, work) {
                 Some(all) => {
-                    found.open |= all.others;
+                    on_facets(domain, &factor, free, &mut found, work)?;
+                    found.open |= all.others || all.on_lines.iter().any(Rational::is_zero);
                     for mut point in all.points {
                         let value = point.eval(&factor, work)?;
                         if point.sign(&value, work)? == 0 {
@@ -97,15 +104,43 @@ pub(super) fn level(
     }
     for mut point in points {
         let mut is_on = false;
-        for factor in &on {
-            let value = point.eval(factor, work)?;
-            is_on = is_on || point.sign(&value, work)? == 0;
+        for equations in &found.equations {
+            let mut holds = true;
+            for p in equations {
+                let value = point.eval(p, work)?;
+                holds = holds && point.sign(&value, work)? == 0;
+            }
+            is_on = is_on || holds;
         }
         if !is_on {
             found.points.push(point);
         }
     }
     Some(found)
+}
+
+/// Lines and curves in space at whose points a polynomial that is not negative is 0: those on facets.
+fn on_facets(domain: &Product, p: &Poly, free: usize, found: &mut Level, work: &mut Work) -> Option<()> {
+    if domain.dimension() < 3 {
+        return Some(());
+    }
+    for facet in domain.facets() {
+        let (var, value) = &facet.fixed;
+        let own = level(&facet.domain, &p.substitute(*var, value), Some(&[]), free, work)?;
+        found.open |= own.open;
+        let at_facet = &Poly::var(*var) - value;
+        for (locus, mut polys) in own.loci.into_iter().zip(own.equations) {
+            polys.push(at_facet.clone());
+            let mut equations = [&facet.equation[..], &locus.equation];
+            sort(&mut equations);
+            let equation = equations.join(", ");
+            if found.loci.iter().all(|known| known.equation != equation) {
+                found.loci.push(Locus { equation, ..locus });
+                found.equations.push(polys);
+            }
+        }
+    }
+    Some(())
 }
 
 /// The dimension of the face that has these corners.
@@ -139,13 +174,9 @@ enum Sign {
 }
 
 fn sign(domain: &Product, p: &Poly) -> Sign {
-    let mut signs = Vec::new();
-    for point in domain.corners().into_iter().chain(domain.lattice(STEPS)) {
-        match at(p, &point).map_or(0, |x| x.signum()) {
-            0 => {}
-            sign if signs.contains(&-sign) => return Sign::Changes,
-            sign => signs.push(sign),
-        }
+    let signs = domain.signs(p);
+    if signs.len() > 1 {
+        return Sign::Changes;
     }
     let p = if signs.contains(&-1) { -p } else { p.clone() };
     let all = domain.domain();

@@ -6,35 +6,33 @@ use super::bounds;
 use super::domain::{Product, at};
 use super::level::{Level, level};
 use super::numbers;
-use super::point::Point;
+use super::point::{Point, constant};
 use super::stationary::{Stationary, stationary};
 use super::{Extrema, Extremum, Found, Locus, LocusKind};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
 use basis_kernel::{Relation, Statement};
 use basis_prover::collections::list::Listed;
+use basis_prover::collections::sort::sort_by;
 use basis_prover::{Coordinate, decide};
 
 /// The steps of the lattice on which a negative value is looked for.
 const STEPS: i64 = 4;
+/// The work for the zeros of a function whose stationary points take too much.
+const ZEROS: u64 = 300_000;
 
 /// What is known of a function, whose shape parameters have values, under its name.
 pub(super) fn of_function(family: &Family, label: &str, f: &Fraction, work: &mut Work) -> Found {
-    let Some(domain) = Product::of(family, f) else {
+    let Some((domain, f)) = Product::of(family, f) else {
         return Found::Open(String::from("an end of its domain is not finite"));
     };
     let vars = domain.vars();
     let only = |p: &Poly| p.variables().iter().all(|var| vars.contains(var));
     if !only(f.numer()) || !only(f.denom()) {
         return Found::Open(String::from("it contains a number that is not rational"));
-    }
-    if family.analytic.angles.iter().any(|angle| vars.contains(&angle.var)) {
-        return Found::Open(String::from(
-            "a variable stands in a sine or an exponential, or between ends that are not rational",
-        ));
     }
     if let Some(value) = f.as_constant() {
         if !value.is_negative() {
@@ -63,9 +61,9 @@ pub(super) fn of_function(family: &Family, label: &str, f: &Fraction, work: &mut
     }
     let free = family.domain.len() - domain.dimension();
     let problem = Problem { domain, numer, denom, free };
-    match problem.exact(label, f, work) {
+    match problem.exact(label, &f, work) {
         Some(found) => found,
-        None => problem.between(label, work),
+        None => problem.between(label),
     }
 }
 
@@ -86,18 +84,27 @@ impl Problem {
         if numbers::compare(&least.0, &zero, work)? != Ordering::Less {
             return Some(Found::Nonnegative);
         }
-        let greatest = self.extreme(f, &found, Ordering::Greater, work)?;
+        let mut greatest = self.extreme(f, &found, Ordering::Greater, work)?;
+        let zeros = level(&self.domain, &self.numer, None, self.free, work)?;
+        if numbers::compare(&greatest.0, &zero, work)? == Ordering::Less {
+            // Stationary points that are zeros have been left out.
+            if zeros.open {
+                return None;
+            }
+            if !zeros.loci.is_empty() || !zeros.points.is_empty() {
+                greatest = (zero, Vec::new());
+            }
+        }
         let (minimum, open) = self.extremum(least, &found, work)?;
         let (maximum, also_open) = self.extremum(greatest, &found, work)?;
         let mut all = Extrema::new(label, minimum, maximum);
         all.is_open = open || also_open;
-        self.put_zeros(&mut all, work)?;
+        self.put_zeros(&mut all, zeros, work)?;
         Some(Found::Known(Box::new(all)))
     }
 
     /// The zeros.
-    fn put_zeros(&self, all: &mut Extrema, work: &mut Work) -> Option<()> {
-        let zeros = level(&self.domain, &self.numer, None, self.free, work)?;
+    fn put_zeros(&self, all: &mut Extrema, zeros: Level, work: &mut Work) -> Option<()> {
         all.zeros_are_open = zeros.open;
         (all.zeros, all.zeros_on) = self.written(zeros, work)?;
         Some(())
@@ -112,11 +119,14 @@ impl Problem {
         work: &mut Work,
     ) -> Option<(Coordinate, Vec<Point>)> {
         let mut values = Vec::new();
+        for value in &found.values {
+            values.push(((value.clone(), value.clone()), constant(value), None));
+        }
         for point in &found.points {
             let mut point = point.clone();
             let Some(value) = point.quotient(f, work)? else { continue };
             let bounds = point.bounds(&value, work)?;
-            values.push((bounds, value, point));
+            values.push((bounds, value, Some(point)));
         }
         // Those that are seen not to be extreme are not computed.
         let best = match wanted {
@@ -127,12 +137,16 @@ impl Problem {
             .retain(|((low, high), ..)| if wanted == Ordering::Less { low <= &best } else { high >= &best });
         let mut extreme: Option<(Coordinate, Vec<Point>)> = None;
         for (_, value, point) in values {
-            let value = point.number(&value, work)?;
+            let value = match &point {
+                Some(point) => point.number(&value, work)?,
+                None => Coordinate::Rational(value.leading()),
+            };
+            let own = point.into_iter();
             match &mut extreme {
-                None => extreme = Some((value, vec![point])),
+                None => extreme = Some((value, own.listed())),
                 Some((known, at)) => match numbers::compare(&value, known, work)? {
-                    Ordering::Equal => at.push(point),
-                    order if order == wanted => extreme = Some((value, vec![point])),
+                    Ordering::Equal => at.extend(own),
+                    order if order == wanted => extreme = Some((value, own.listed())),
                     _ => {}
                 },
             }
@@ -153,24 +167,10 @@ impl Problem {
                 // Where a function is 0 it has other stationary points.
                 let known = if c.is_zero() { None } else { Some(&points[..]) };
                 let at = level(&self.domain, &p, known, self.free, work)?;
-                let open = at.open || found.others;
+                let open = at.open || at.touches && (found.others || found.on_lines.contains(c));
                 (at, open)
             }
-            Coordinate::Algebraic(_) => match self.domain.of_one(&self.numer) {
-                Some((name, ..)) if self.denom.as_constant().is_some() && self.domain.dimension() > 1 => {
-                    let mut loci: Vec<Locus> = Vec::new();
-                    for point in &points {
-                        let x = point.number(&self.domain.coordinate(&name, point)?, work)?;
-                        let equation = format!("{name} = {}", numbers::text(&x));
-                        let kind = LocusKind::new(self.domain.dimension() + self.free - 1, true);
-                        if loci.iter().all(|known| known.equation != equation) {
-                            loci.push(Locus { kind, equation });
-                        }
-                    }
-                    (Level { loci, ..Level::default() }, false)
-                }
-                _ => (Level { points, ..Level::default() }, found.others || found.curves),
-            },
+            Coordinate::Algebraic(_) => (Level { points, ..Level::default() }, found.others || found.curves),
         };
         let (at, on) = self.written(at, work)?;
         Some((Extremum { value: numbers::text(&value), at, on }, open))
@@ -179,22 +179,43 @@ impl Problem {
     /// Points, each once, and loci; points as loci where further variables are free.
     fn written(&self, found: Level, work: &mut Work) -> Option<(Vec<String>, Vec<Locus>)> {
         let mut at: Vec<String> = Vec::new();
-        for point in &found.points {
-            let text = self.domain.written(point, work)?;
+        let mut loci = found.loci;
+        let is_used = |var: &Var| self.numer.depends_on(*var) || self.denom.depends_on(*var);
+        let used = self.domain.vars().into_iter().filter(is_used).listed();
+        let further = self.domain.dimension() - used.len();
+        for mut point in found.points {
+            // The function does not depend on some coordinates.
+            if further > 0 && self.domain.is_line(&used, &mut point, work)? {
+                let mut equations = Vec::new();
+                for var in &used {
+                    let x = point.number(&point.element(*var), work)?;
+                    equations.push(self.domain.at(*var, &x));
+                }
+                let kind = LocusKind::new(self.free + further, true);
+                let locus = Locus { kind, equation: equations.join(", ") };
+                if !loci.contains(&locus) {
+                    loci.push(locus);
+                }
+                continue;
+            }
+            let text = self.domain.written(&point, work)?;
             if !at.contains(&text) {
                 at.push(text);
             }
         }
-        if self.free == 0 {
-            return Some((at, found.loci));
+        if self.free > 0 {
+            let kind = LocusKind::new(self.free, true);
+            loci.extend(core::mem::take(&mut at).into_iter().map(|equation| Locus { kind, equation }));
         }
-        let loci = at.into_iter().map(|equation| Locus { kind: LocusKind::new(self.free, true), equation });
-        let loci = found.loci.into_iter().chain(loci).listed();
-        Some((Vec::new(), loci))
+        sort_by(&mut loci, |a, b| {
+            let key = |l: &Locus| (l.equation.chars().count(), l.equation.clone());
+            key(a).cmp(&key(b))
+        });
+        Some((at, loci))
     }
 
     /// Proved bounds of the extreme values.
-    fn between(&self, label: &str, work: &mut Work) -> Found {
+    fn between(&self, label: &str) -> Found {
         let bound = |negative: bool| {
             let numer = if negative { -&self.numer } else { self.numer.clone() };
             bounds::least(&self.domain, &numer, &self.denom)
@@ -213,7 +234,9 @@ impl Problem {
         }
         let mut all = Extrema::new(label, between(least), between((-high, -low)));
         all.are_bounds = true;
-        if self.put_zeros(&mut all, work).is_none() {
+        let work = &mut Work::new(ZEROS);
+        let zeros = level(&self.domain, &self.numer, None, self.free, work);
+        if zeros.and_then(|zeros| self.put_zeros(&mut all, zeros, work)).is_none() {
             all.zeros_are_open = true;
         }
         Found::Known(Box::new(all))

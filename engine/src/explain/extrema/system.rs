@@ -28,8 +28,9 @@ const MAX_DEGREE: u32 = 24;
 pub(super) struct Solutions {
     /// Those that are isolated.
     pub(super) points: Vec<Point>,
-    /// Whether there are lines or graphs of solutions beside them, which reach the ends of every domain.
-    pub(super) unbounded: bool,
+    /// Lines and graphs of solutions beside them, which reach the ends of every domain: what is put in place of variables, in order;
+    /// nothing where that is irrational.
+    pub(super) graphs: Vec<Option<Vec<(Var, Fraction)>>>,
 }
 
 /// Equations p = 0 where another polynomial is not zero.
@@ -254,7 +255,12 @@ impl System {
             known.solved.iter().any(|(v, _)| *v == var) || known.roots.iter().any(|(v, _)| *v == var)
         };
         if self.ranges.iter().any(|(var, ..)| !is_known(*var)) {
-            found.unbounded = true;
+            let rational = |(var, x): &(Var, Coordinate)| match x {
+                Coordinate::Rational(x) => Some((*var, Fraction::constant(x.clone()))),
+                Coordinate::Algebraic(_) => None,
+            };
+            let roots: Option<Vec<_>> = known.roots.iter().map(rational).collect();
+            found.graphs.push(roots.map(|roots| [known.solved, roots].concat()));
             return Some(());
         }
         let point = known.point(work)?;
@@ -318,7 +324,7 @@ mod tests {
             System { equations: equations.to_vec(), nonzero: Poly::one(), ranges: vec![range(0), range(1)] };
         let work = &mut Work::unlimited();
         let found = system.solutions(work).expect("within reach");
-        assert!(!found.unbounded);
+        assert!(found.graphs.is_empty());
         let mut all = found.points.mapped(|point| {
             let of = |k: usize| {
                 numbers::text(&point.number(&point.element(Var(k)), &mut Work::unlimited()).unwrap())
