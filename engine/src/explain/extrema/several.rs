@@ -185,7 +185,7 @@ impl Problem {
         let further = self.domain.dimension() - used.len();
         for mut point in found.points {
             // The function does not depend on some coordinates.
-            if further > 0 && self.domain.is_line(&used, &mut point, work)? {
+            if self.free > 0 || further > 0 && self.domain.is_line(&used, &mut point, work)? {
                 let mut equations = Vec::new();
                 for var in &used {
                     let x = point.number(&point.element(*var), work)?;
@@ -202,10 +202,6 @@ impl Problem {
             if !at.contains(&text) {
                 at.push(text);
             }
-        }
-        if self.free > 0 {
-            let kind = LocusKind::new(self.free, true);
-            loci.extend(core::mem::take(&mut at).into_iter().map(|equation| Locus { kind, equation }));
         }
         sort_by(&mut loci, |a, b| {
             let key = |l: &Locus| (l.equation.chars().count(), l.equation.clone());
