@@ -1,7 +1,9 @@
 //! Zeros, least and greatest values of functions that are negative somewhere.
 
+mod beside;
 mod bounds;
 mod domain;
+mod interval;
 mod level;
 mod numbers;
 mod parametric;
@@ -225,13 +227,19 @@ fn at_sample(
         values.iter().try_fold(f.clone(), put)
     };
     let part = |p: &Poly| Univariate::from_poly(p, var);
+    if family.analytic.beside(f).next().is_some() {
+        let dependent = family.analytic.dependent();
+        let sample = sample.iter().filter(|(v, _)| !dependent.contains(v)).cloned().listed();
+        let (_, label) = with_values(family, (label, f), &sample, numbers);
+        return beside::of_function(family, (&label, f), &sample, work);
+    }
     let (Some(exact), label) = with_values(family, (label, f), sample, numbers) else {
         return open("it has no value at simple shape values");
     };
     let is_exact = !numbers.iter().any(|v| exact.depends_on(*v));
     let parts = put(&exact, &known).and_then(|f| Some((part(f.numer())?, part(f.denom())?)));
     let Some((numer, denom)) = parts else {
-        return open("a variable stands in it beside its sine or exponential");
+        return open("it contains further numbers");
     };
     if [low, high].iter().any(|end| denom.sign_at(end) == 0) {
         return open("it has no bound next to an end that the domain leaves out");
