@@ -4,7 +4,7 @@
 //! whether there is a zero between them. Next to an end at which the function and some of its derivatives vanish, exactly, it has no
 //! other zero as far as the first derivative that does not vanish has a sign. What is neither is cut in two.
 
-use super::interval::{Interval, values};
+use super::interval::{Interval, QuotientInTwo, values};
 use super::numbers::about;
 use super::{Extrema, Extremum, Found};
 use crate::algebra::fraction::Fraction;
@@ -33,19 +33,27 @@ pub(super) fn of_function(
     work: &mut Work,
 ) -> Option<Found> {
     let (var, low, high) = family.interval()?;
+    let open = || Found::Open(String::from("a variable stands in it beside its sine or exponential"));
     let Some(angle) = family.analytic.angle(var) else {
         return Some(Found::Open(String::from("it contains an angle of another variable")));
     };
     let fixed = shapes.iter().map(|(var, x)| (*var, Interval::point(x))).listed();
-    let mut all = Derivatives { family, angle, ends: [low, high], all: Vec::new(), fixed };
+    let mut all =
+        Derivatives { family, angle, ends: [low, high], all: Vec::new(), bounded: Vec::new(), fixed };
     all.fix_numbers();
     let put = |f: Fraction, (v, x): &(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
-    let mut derivative = f.clone();
+    let mut derivative = shapes.iter().try_fold(f.clone(), put)?;
     for _ in 0..ORDER {
-        all.all.push(shapes.iter().try_fold(derivative.clone(), put)?);
-        derivative = family.derivative_within(&derivative, var, work)?;
+        let vars = [angle.var, angle.itself];
+        match QuotientInTwo::new(&derivative, vars, &all.fixed) {
+            Some(bounded) => all.bounded.push(bounded),
+            None => return Some(open()),
+        }
+        all.all.push(derivative.clone());
+        let next = family.derivative_within(&derivative, var, work)?;
+        // The tangent between two ends brings them back.
+        derivative = shapes.iter().try_fold(next, put)?;
     }
-    let open = || Found::Open(String::from("a variable stands in it beside its sine or exponential"));
     Some(all.found(label, work).unwrap_or_else(open))
 }
 
@@ -56,6 +64,8 @@ struct Derivatives<'f> {
     /// Those of the range of the variable of the angle.
     ends: [&'f Rational; 2],
     all: Vec<Fraction>,
+    /// The same for bounds of its variables.
+    bounded: Vec<QuotientInTwo>,
     /// Bounds of the numbers, and of shape parameters.
     fixed: Vec<(Var, Interval)>,
 }
@@ -108,8 +118,7 @@ impl Derivatives<'_> {
 
     /// Bounds of a derivative between two numbers.
     fn bounds(&self, order: usize, y: &Interval) -> Option<Interval> {
-        let own = [(self.angle.var, y.clone()), (self.angle.itself, self.itself(self.angle, y)?)];
-        values(self.all.get(order)?, &[&self.fixed[..], &own].concat())
+        self.bounded.get(order)?.values([y, &self.itself(self.angle, y)?])
     }
 
     /// The value at an end, exactly.
@@ -119,6 +128,20 @@ impl Derivatives<'_> {
 
     fn is_zero_at_end(&self, order: usize, upper: bool, work: &mut Work) -> Option<bool> {
         Some(self.at_end(order, upper, work)?.is_zero())
+    }
+
+    /// Whether a derivative is seen to have one sign between two numbers, the angle between two others: by its bounds, or by those
+    /// of its slope.
+    fn has_sign(&self, order: usize, y: &Interval, s: &Interval) -> bool {
+        let of = |order: usize| self.bounded.get(order)?.values([y, s]);
+        let is_signed = |x: Option<Interval>| x.and_then(|x| x.sign()).is_some_and(|sign| sign != 0);
+        let by_slope = || {
+            let middle = Interval::point(&y.middle());
+            let at = self.itself(self.angle, &middle)?;
+            let step = s.add(&Interval::point(&Rational::from(-1)).mul(&at));
+            Some(self.bounded.get(order)?.values([&middle, &at])?.add(&of(order + 1)?.mul(&step)))
+        };
+        is_signed(of(order)) || is_signed(by_slope())
     }
 
     /// The zeros of a derivative inside of the domain.
@@ -141,8 +164,8 @@ impl Derivatives<'_> {
                 return None;
             }
             let at_ends = [&part.low == low && first[0] > order, &part.high == high && first[1] > order];
-            let has_sign =
-                |order: usize| self.bounds(order, &part).and_then(|x| x.sign()).is_some_and(|sign| sign != 0);
+            let itself = self.itself(self.angle, &part)?;
+            let has_sign = |order: usize| self.has_sign(order, &part, &itself);
             let is_done = match at_ends {
                 [false, false] => has_sign(order),
                 [true, false] => has_sign(first[0]),
@@ -184,6 +207,12 @@ impl Derivatives<'_> {
     }
 
     fn found(&self, label: &str, work: &mut Work) -> Option<Found> {
+        let zeros = self.zeros(0, work)?;
+        let middle = &(self.ends[0] + self.ends[1]) * &Rational::new(1, 2);
+        let at_middle = self.bounds(0, &Interval::point(&middle)).and_then(|x| x.sign());
+        if zeros.is_empty() && at_middle == Some(1) {
+            return Some(Found::Nonnegative);
+        }
         let mut values = Vec::new();
         for (upper, place) in [(false, Place::Low), (true, Place::High)] {
             let exact = self.at_end(0, upper, work)?;
@@ -195,18 +224,15 @@ impl Derivatives<'_> {
         }
         let least = values.iter().map(|(bounds, ..)| &bounds.high).min()?;
         if !least.is_negative() {
-            // It is negative nowhere if it has no zero inside.
-            let negative = values.iter().any(|(bounds, ..)| bounds.low.is_negative());
-            return (!negative).then_some(Found::Nonnegative);
+            return None;
         }
         let greatest = values.iter().map(|(bounds, ..)| &bounds.low).max()?;
         let minimum = self.extremum(values.iter().filter(|(x, ..)| &x.low <= least).listed());
         let maximum = self.extremum(values.iter().filter(|(x, ..)| &x.high >= greatest).listed());
-        let mut zeros = Vec::new();
+        let mut zeros = zeros.into_iter().map(Place::Between).listed();
         if self.is_zero_at_end(0, false, work)? {
-            zeros.push(Place::Low);
+            zeros.insert(0, Place::Low);
         }
-        zeros.extend(self.zeros(0, work)?.into_iter().map(Place::Between));
         if self.is_zero_at_end(0, true, work)? {
             zeros.push(Place::High);
         }
