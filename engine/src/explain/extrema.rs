@@ -5,6 +5,7 @@ mod bounds;
 mod domain;
 mod interval;
 mod level;
+mod multiples;
 mod numbers;
 mod parametric;
 mod point;

@@ -5,6 +5,7 @@
 //! other zero as far as the first derivative that does not vanish has a sign. What is neither is cut in two.
 
 use super::interval::{Interval, QuotientInTwo, values};
+use super::multiples::{Exact, exact};
 use super::numbers::about;
 use super::{Extrema, Extremum, Found};
 use crate::algebra::fraction::Fraction;
@@ -33,7 +34,11 @@ pub(super) fn of_function(
     work: &mut Work,
 ) -> Option<Found> {
     let (var, low, high) = family.interval()?;
-    let open = || Found::Open(String::from("a variable stands in it beside its sine or exponential"));
+    let open = || {
+        Found::Open(String::from(
+            "a variable stands in it beside its sine or exponential, and its zeros were not separated",
+        ))
+    };
     let Some(angle) = family.analytic.angle(var) else {
         return Some(Found::Open(String::from("it contains an angle of another variable")));
     };
@@ -71,11 +76,11 @@ struct Derivatives<'f> {
 }
 
 /// A point: an end, or a short interval.
-#[derive(Clone, PartialEq, Eq)]
 enum Place {
     Low,
     High,
-    Between(Interval),
+    /// What it is exactly, if that is known.
+    Between(Interval, Option<Exact>),
 }
 
 impl Derivatives<'_> {
@@ -206,6 +211,12 @@ impl Derivatives<'_> {
         part
     }
 
+    /// What the only zero of a derivative between two numbers is exactly, if that is known.
+    fn exact(&self, order: usize, y: &Interval, work: &mut Work) -> Option<Exact> {
+        let s = self.itself(self.angle, y)?;
+        exact((&self.family.analytic, self.angle), self.all.get(order)?, [y, &s], work)
+    }
+
     fn found(&self, label: &str, work: &mut Work) -> Option<Found> {
         let zeros = self.zeros(0, work)?;
         let middle = &(self.ends[0] + self.ends[1]) * &Rational::new(1, 2);
@@ -220,7 +231,14 @@ impl Derivatives<'_> {
             values.push((bounds, Some(exact), place));
         }
         for part in self.zeros(1, work)? {
-            values.push((self.bounds(0, &part)?, None, Place::Between(part)));
+            let bounds = self.bounds(0, &part)?;
+            let known = self.exact(1, &part, work);
+            let value = known.as_ref().and_then(|known| {
+                let y = Fraction::constant(known.y.clone()?);
+                let value = self.all.first()?.substitute_within(self.angle.var, &y, work).ok()??;
+                value.substitute_within(self.angle.itself, &known.itself, work).ok()?
+            });
+            values.push((bounds, value, Place::Between(part, known)));
         }
         let least = values.iter().map(|(bounds, ..)| &bounds.high).min()?;
         if !least.is_negative() {
@@ -229,7 +247,12 @@ impl Derivatives<'_> {
         let greatest = values.iter().map(|(bounds, ..)| &bounds.low).max()?;
         let minimum = self.extremum(values.iter().filter(|(x, ..)| &x.low <= least).listed());
         let maximum = self.extremum(values.iter().filter(|(x, ..)| &x.high >= greatest).listed());
-        let mut zeros = zeros.into_iter().map(Place::Between).listed();
+        let mut places = Vec::new();
+        for part in zeros {
+            let known = self.exact(0, &part, work);
+            places.push(Place::Between(part, known));
+        }
+        let mut zeros = places;
         if self.is_zero_at_end(0, false, work)? {
             zeros.insert(0, Place::Low);
         }
@@ -258,7 +281,10 @@ impl Derivatives<'_> {
         let x = match place {
             Place::Low => self.angle.ends[0].clone(),
             Place::High => self.angle.ends[1].clone(),
-            Place::Between(y) => self.itself(self.angle, y).map_or_else(String::new, |s| about(&s.middle())),
+            Place::Between(_, Some(known)) => known.text.clone(),
+            Place::Between(y, None) => {
+                self.itself(self.angle, y).map_or_else(String::new, |s| about(&s.middle()))
+            }
         };
         format!("{} = {x}", self.angle.name)
     }
