@@ -9,7 +9,7 @@ mod theorems;
 
 pub use contacts::{Contact, contacts};
 pub use extrema::{AllExtrema, Extrema, Extremum, Locus, LocusKind, extrema};
-pub use matrices::{Matrix, MatrixKind, conversions, matrices};
+pub use matrices::{Matrix, MatrixKind, conversions, matrices, matrices_left_out};
 pub use theorems::determined_points;
 
 use std::rc::Rc;

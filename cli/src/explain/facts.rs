@@ -57,6 +57,8 @@ pub(super) struct FamilyFacts {
     pub(super) contacts: Vec<Contact>,
     /// Matrices: to and from the Bernstein basis and another family, degree elevation, mass, stiffness, moments.
     pub(super) matrices: Vec<MatrixFacts>,
+    /// Which matrices are left out, and why.
+    pub(super) matrices_open: Option<String>,
     /// Zeros and extrema of the functions that are negative somewhere.
     pub(super) extrema: Vec<ExtremaFacts>,
     /// The functions of which nothing of this is said, and why.
@@ -279,6 +281,7 @@ impl FamilyFacts {
             rounding: rounding.into_iter().map(|(of, bound)| Rounding { of, bound }).collect(),
             contacts: explain::contacts(span).into_iter().map(contact).collect(),
             matrices: conversions.iter().chain(&explain::matrices(library, span, next)).map(matrix).collect(),
+            matrices_open: explain::matrices_left_out(span),
             extrema: all_extrema.known.into_iter().map(extrema).collect(),
             extrema_open: all_extrema.open,
             nonnegative: explain::nonnegative_ranges(span).iter().map(ToString::to_string).collect(),

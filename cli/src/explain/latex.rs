@@ -102,6 +102,9 @@ fn of_span(facts: &FamilyFacts) -> String {
         }
         text.push('\n');
     }
+    if let Some(left_out) = &facts.matrices_open {
+        text += &format!("{}\n\n", escape(left_out));
+    }
     for f in &facts.extrema {
         let (least, greatest) = (places::taken(&f.minimum, &inline), places::taken(&f.maximum, &inline));
         text += &format!(

@@ -228,6 +228,9 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
     for matrix in &facts.matrices {
         grid(&mut text, matrix);
     }
+    if let Some(left_out) = &facts.matrices_open {
+        text += &format!("\n  {left_out}\n");
+    }
     places::section(&mut text, facts);
     if !facts.nonnegative.is_empty() {
         text += "\n  All functions are nonnegative, the other parameters in their declared ranges, for\n";

@@ -103,9 +103,36 @@ pub fn matrices(library: &Library<'_>, family: &Family, next: Option<&Family>) -
         all = bernstein(family, work);
         let nested = next.and_then(|next| in_next_order(family, next, work));
         all.extend(nested.or_else(|| elevation(family, work)));
+    } else if has_numbers(family) {
+        all = bernstein(family, work);
+        all.extend(elevation(family, work));
+        for matrix in &mut all {
+            let written = |row: &Vec<Fraction>| row.mapped(|entry| super::written(family, entry));
+            matrix.written = Some(matrix.entries.mapped(written));
+        }
     }
     all.extend(integrals(library, family, work));
     all
+}
+
+/// Which matrices a family might have are left out, and why.
+pub fn matrices_left_out(family: &Family) -> Option<String> {
+    if family.functions.len() > MAX_FUNCTIONS {
+        return Some(format!("No matrices are stated: there are more than {MAX_FUNCTIONS} functions."));
+    }
+    let is_known = is_plain(family) || has_numbers(family);
+    if !is_known && !family.analytic.is_transcendental() && !family.analytic.roots.is_empty() {
+        let why = "No matrices to and from the Bernstein basis are stated: the functions contain tan(pi/n).";
+        return Some(String::from(why));
+    }
+    let why = "No degree elevation is stated: the functions are quotients, and it would depend on weights.";
+    (is_known && family.is_rational()).then(|| String::from(why))
+}
+
+/// Whether the functions are quotients of polynomials but for transcendental numbers, which are variables of their own.
+fn has_numbers(family: &Family) -> bool {
+    let analytic = &family.analytic;
+    !analytic.numbers().is_empty() && analytic.roots.is_empty() && analytic.angles.is_empty()
 }
 
 /// Whether the functions of a family are quotients of polynomials in its domain variables.

@@ -114,10 +114,8 @@ impl Derivatives<'_> {
         let (below, above) = pi_bounds();
         let pi = Interval::new(below.clone(), above.clone());
         let shift = Interval::point(&angle.shift);
-        let (speed, shift) = match angle.turns {
-            true => (pi.mul(&Interval::point(&angle.rate)), shift),
-            false => (Interval::point(&angle.rate), shift.mul(&pi)),
-        };
+        let rate = Interval::point(&angle.rate);
+        let (speed, shift) = if angle.turns { (pi.mul(&rate), shift) } else { (rate, shift.mul(&pi)) };
         Some(Interval::new(low, high).div(&speed)?.add(&shift))
     }
 
@@ -182,9 +180,8 @@ impl Derivatives<'_> {
             }
             if at_ends == [false, false] && has_sign(order + 1) {
                 let sign = |x: &Rational| self.bounds(order, &Interval::point(x))?.sign().filter(|s| *s != 0);
-                match sign(&part.low)? * sign(&part.high)? {
-                    -1 => found.push(self.narrowed(order, part)),
-                    _ => {}
+                if sign(&part.low)? * sign(&part.high)? == -1 {
+                    found.push(self.narrowed(order, part));
                 }
                 continue;
             }
@@ -245,8 +242,8 @@ impl Derivatives<'_> {
             return None;
         }
         let greatest = values.iter().map(|(bounds, ..)| &bounds.low).max()?;
-        let minimum = self.extremum(values.iter().filter(|(x, ..)| &x.low <= least).listed());
-        let maximum = self.extremum(values.iter().filter(|(x, ..)| &x.high >= greatest).listed());
+        let minimum = self.extremum(&values.iter().filter(|(x, ..)| &x.low <= least).listed());
+        let maximum = self.extremum(&values.iter().filter(|(x, ..)| &x.high >= greatest).listed());
         let mut places = Vec::new();
         for part in zeros {
             let known = self.exact(0, &part, work);
@@ -264,7 +261,7 @@ impl Derivatives<'_> {
     }
 
     /// The value that some points have as far as their bounds tell.
-    fn extremum(&self, all: Vec<&(Interval, Option<Fraction>, Place)>) -> Extremum {
+    fn extremum(&self, all: &[&(Interval, Option<Fraction>, Place)]) -> Extremum {
         let exact = all.iter().find_map(|(_, exact, _)| exact.as_ref());
         let dependent = self.family.analytic.dependent();
         let numbers = self.family.analytic.numbers();

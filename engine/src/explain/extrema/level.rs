@@ -56,7 +56,8 @@ pub(super) fn level(
                 (false, []) => {}
                 (false, [corner]) => points.push(Point::rational(corner)),
                 _ => {
-                    let equation = domain.equation(&factor);
+                    // A part of the boundary is given by all of its facets.
+                    let equation = if changes { domain.equation(&factor) } else { facets(domain, &zeros) };
                     found.loci.push(Locus { kind: LocusKind::new(own + free, true), equation });
                     found.equations.push(vec![factor]);
                 }
@@ -141,6 +142,19 @@ fn on_facets(domain: &Product, p: &Poly, free: usize, found: &mut Level, work: &
         }
     }
     Some(())
+}
+
+/// The equations of the facets on which some corners lie.
+fn facets(domain: &Product, corners: &[&Vec<(Var, Rational)>]) -> String {
+    let mut all = Vec::new();
+    for facet in domain.facets() {
+        let (var, value) = &facet.fixed;
+        let difference = &Poly::var(*var) - value;
+        if corners.iter().all(|corner| at(&difference, corner).is_some_and(|x| x.is_zero())) {
+            all.push(facet.equation);
+        }
+    }
+    all.join(", ")
 }
 
 /// The dimension of the face that has these corners.

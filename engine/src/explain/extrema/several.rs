@@ -79,12 +79,12 @@ struct Problem {
 impl Problem {
     fn exact(&self, label: &str, f: &Fraction, work: &mut Work) -> Option<Found> {
         let found = stationary(&self.domain, f, false, work)?;
-        let least = self.extreme(f, &found, Ordering::Less, work)?;
+        let least = extreme(f, &found, Ordering::Less, work)?;
         let zero = Coordinate::Rational(Rational::ZERO);
         if numbers::compare(&least.0, &zero, work)? != Ordering::Less {
             return Some(Found::Nonnegative);
         }
-        let mut greatest = self.extreme(f, &found, Ordering::Greater, work)?;
+        let mut greatest = extreme(f, &found, Ordering::Greater, work)?;
         let zeros = level(&self.domain, &self.numer, None, self.free, work)?;
         if numbers::compare(&greatest.0, &zero, work)? == Ordering::Less {
             // Stationary points that are zeros have been left out.
@@ -108,50 +108,6 @@ impl Problem {
         all.zeros_are_open = zeros.open;
         (all.zeros, all.zeros_on) = self.written(zeros, work)?;
         Some(())
-    }
-
-    /// The extreme value of some, and the points that have it.
-    fn extreme(
-        &self,
-        f: &Fraction,
-        found: &Stationary,
-        wanted: Ordering,
-        work: &mut Work,
-    ) -> Option<(Coordinate, Vec<Point>)> {
-        let mut values = Vec::new();
-        for value in &found.values {
-            values.push(((value.clone(), value.clone()), constant(value), None));
-        }
-        for point in &found.points {
-            let mut point = point.clone();
-            let Some(value) = point.quotient(f, work)? else { continue };
-            let bounds = point.bounds(&value, work)?;
-            values.push((bounds, value, Some(point)));
-        }
-        // Those that are seen not to be extreme are not computed.
-        let best = match wanted {
-            Ordering::Less => values.iter().map(|((_, high), ..)| high).min()?.clone(),
-            _ => values.iter().map(|((low, _), ..)| low).max()?.clone(),
-        };
-        values
-            .retain(|((low, high), ..)| if wanted == Ordering::Less { low <= &best } else { high >= &best });
-        let mut extreme: Option<(Coordinate, Vec<Point>)> = None;
-        for (_, value, point) in values {
-            let value = match &point {
-                Some(point) => point.number(&value, work)?,
-                None => Coordinate::Rational(value.leading()),
-            };
-            let own = point.into_iter();
-            match &mut extreme {
-                None => extreme = Some((value, own.listed())),
-                Some((known, at)) => match numbers::compare(&value, known, work)? {
-                    Ordering::Equal => at.extend(own),
-                    order if order == wanted => extreme = Some((value, own.listed())),
-                    _ => {}
-                },
-            }
-        }
-        extreme
     }
 
     /// A value with the points that have it, and whether there may be more of them.
@@ -237,4 +193,46 @@ impl Problem {
         }
         Found::Known(Box::new(all))
     }
+}
+
+/// The extreme value of some, and the points that have it.
+fn extreme(
+    f: &Fraction,
+    found: &Stationary,
+    wanted: Ordering,
+    work: &mut Work,
+) -> Option<(Coordinate, Vec<Point>)> {
+    let mut values = Vec::new();
+    for value in &found.values {
+        values.push(((value.clone(), value.clone()), constant(value), None));
+    }
+    for point in &found.points {
+        let mut point = point.clone();
+        let Some(value) = point.quotient(f, work)? else { continue };
+        let bounds = point.bounds(&value, work)?;
+        values.push((bounds, value, Some(point)));
+    }
+    // Those that are seen not to be extreme are not computed.
+    let best = match wanted {
+        Ordering::Less => values.iter().map(|((_, high), ..)| high).min()?.clone(),
+        _ => values.iter().map(|((low, _), ..)| low).max()?.clone(),
+    };
+    values.retain(|((low, high), ..)| if wanted == Ordering::Less { low <= &best } else { high >= &best });
+    let mut extreme: Option<(Coordinate, Vec<Point>)> = None;
+    for (_, value, point) in values {
+        let value = match &point {
+            Some(point) => point.number(&value, work)?,
+            None => Coordinate::Rational(value.leading()),
+        };
+        let own = point.into_iter();
+        match &mut extreme {
+            None => extreme = Some((value, own.listed())),
+            Some((known, at)) => match numbers::compare(&value, known, work)? {
+                Ordering::Equal => at.extend(own),
+                order if order == wanted => extreme = Some((value, own.listed())),
+                _ => {}
+            },
+        }
+    }
+    extreme
 }
