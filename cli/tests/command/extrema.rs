@@ -1,5 +1,5 @@
-//! `basis explain` states zeros and extrema of functions of several variables, and of functions with a variable beside its sine.
-//! All values were compared with a search among points computed in Python, apart from this code.
+//! `basis explain` states zeros and extrema of functions of several variables, and of functions with a variable
+//! beside its sine. All values were compared with a search among points computed in Python, apart from this code.
 
 use crate::support::Folder;
 
@@ -172,8 +172,8 @@ fn as_data_and_in_latex() {
     assert!(latex.contains(sentence), "{latex}");
 }
 
-/// With π and e in their coefficients, which are transcendental, polynomials have all matrices; of quotients it is said that there
-/// is no elevation.
+/// With π and e in their coefficients, which are transcendental, polynomials have all matrices; of quotients it is
+/// said that there is no elevation.
 #[test]
 fn matrices_that_contain_numbers() {
     let spec = "family P { domain 0 <= t <= 1; b[0] = 1 - pi*t; b[1] = exp(1)*t; }

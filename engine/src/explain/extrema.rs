@@ -36,7 +36,8 @@ const OF_SEVERAL: u64 = 1_000_000;
 pub struct Extrema {
     /// The name of the function, such as `b[1]`.
     pub label: String,
-    /// Its zeros on the domain, such as `t = 1/2` or `(u, v, w) = (0, 0, 1)`; those that are on no line or curve of zeros.
+    /// Its zeros on the domain, such as `t = 1/2` or `(u, v, w) = (0, 0, 1)`; those that are on no line or curve of
+    /// zeros.
     pub zeros: Vec<String>,
     /// Lines, curves and so on at whose points it is zero.
     pub zeros_on: Vec<Locus>,
@@ -147,10 +148,10 @@ enum Found {
 /// What is said where the work is spent.
 const SPENT: &str = "too much work";
 
-/// The functions that are negative somewhere on the domain; an end that the domain leaves out counts, as a limit. With shape
-/// parameters for all of their values, where zeros and extrema are quotients of polynomials in them, or at values that are
-/// named. Of functions of one variable that contain π or exp(r) what is no value at an end of the domain is a decimal. Of
-/// functions of several variables exact values if they are within reach, else proved bounds.
+/// The functions that are negative somewhere on the domain; an end that the domain leaves out counts, as a limit.
+/// With shape parameters for all of their values, where zeros and extrema are quotients of polynomials in them, or at
+/// values that are named. Of functions of one variable that contain π or exp(r) what is no value at an end of the
+/// domain is a decimal. Of functions of several variables exact values if they are within reach, else proved bounds.
 pub fn extrema(family: &Family) -> AllExtrema {
     let mut all = AllExtrema::default();
     basis_prover::within(WORK, &mut || {
@@ -308,8 +309,8 @@ fn at_sample(
 /// A value and the points at which it is taken.
 type Taken = (Coordinate, Vec<Coordinate>);
 
-/// Zeros, least and greatest value of numer/denom between two numbers; nothing inside if the function is negative nowhere,
-/// `None` when the work is spent.
+/// Zeros, least and greatest value of numer/denom between two numbers; nothing inside if the function is negative
+/// nowhere, `None` when the work is spent.
 #[expect(clippy::option_option, reason = "the work may be spent")]
 fn of_function(
     numer: &Univariate,

@@ -1,8 +1,9 @@
 //! Zeros and extrema of functions in which a variable stands beside its sine or exponential.
 //!
-//! Between bounds of the angle a function has bounds. Where those of its derivative have a sign, the signs at two points tell
-//! whether there is a zero between them. Next to an end at which the function and some of its derivatives vanish, exactly, it has no
-//! other zero as far as the first derivative that does not vanish has a sign. What is neither is cut in two.
+//! Between bounds of the angle a function has bounds. Where those of its derivative have a sign, the signs at two
+//! points tell whether there is a zero between them. Next to an end at which the function and some of its derivatives
+//! vanish, exactly, it has no other zero as far as the first derivative that does not vanish has a sign. What is
+//! neither is cut in two.
 
 use super::interval::{Interval, QuotientInTwo, values};
 use super::multiples::{Exact, exact};
@@ -133,8 +134,8 @@ impl Derivatives<'_> {
         Some(self.at_end(order, upper, work)?.is_zero())
     }
 
-    /// Whether a derivative is seen to have one sign between two numbers, the angle between two others: by its bounds, or by those
-    /// of its slope.
+    /// Whether a derivative is seen to have one sign between two numbers, the angle between two others: by its
+    /// bounds, or by those of its slope.
     fn has_sign(&self, order: usize, y: &Interval, s: &Interval) -> bool {
         let of = |order: usize| self.bounded.get(order)?.values([y, s]);
         let is_signed = |x: Option<Interval>| x.and_then(|x| x.sign()).is_some_and(|sign| sign != 0);

@@ -6,14 +6,16 @@ use super::domain::{Product, at};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use basis_kernel::{Quotient, Relation, Statement};
-use basis_prover::decide;
+use basis_prover::{decide, within};
 
 /// The steps of the lattice on which the search begins, and how often its steps are halved.
 const STEPS: i64 = 8;
 const HALVINGS: u32 = 12;
+/// The work for one bound.
+const WORK: u64 = 1_000_000;
 
-/// Numbers with few digits between which the least value of numer/denom lies, denom > 0: above it is a value, below it is proved
-/// that there is none.
+/// Numbers with few digits between which the least value of numer/denom lies, denom > 0: above it is a value, below
+/// it is proved that there is none.
 pub(super) fn least(domain: &Product, numer: &Poly, denom: &Poly) -> Option<(Rational, Rational)> {
     let value = |point: &[(Var, Rational)]| at(numer, point)?.checked_div(&at(denom, point)?);
     let mut best: Option<(Rational, Vec<(Var, Rational)>)> = None;
@@ -53,7 +55,7 @@ pub(super) fn least(domain: &Product, numer: &Poly, denom: &Poly) -> Option<(Rat
         let (high, low) = (-down(&-&least)?, down(&(&least - &unit.recip()?))?);
         let value = Quotient { numerator: numer - &denom.scale(&low), denominator: Poly::one() };
         let sign = Statement::Sign { value, relation: Relation::NonNegative, domain: Rc::clone(&all) };
-        if decide(sign, &Vec::new(), 1).is_ok() {
+        if within(WORK, &mut || decide(sign.clone(), &Vec::new(), 1).is_ok()) {
             return Some((low, high));
         }
     }

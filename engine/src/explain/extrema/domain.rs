@@ -1,5 +1,5 @@
-//! The closed domain of a function of several variables, a product of intervals and simplices: its faces, its points, and how
-//! points and equations are written.
+//! The closed domain of a function of several variables, a product of intervals and simplices: its faces, its points,
+//! and how points and equations are written.
 
 use std::rc::Rc;
 
@@ -126,8 +126,8 @@ impl Part {
 }
 
 impl Product {
-    /// The factors of the domain of a family that contain variables of a function, and the function in those barycentric
-    /// coordinates of which it has the fewest; `None` if an end is not finite.
+    /// The factors of the domain of a family that contain variables of a function, and the function in those
+    /// barycentric coordinates of which it has the fewest; `None` if an end is not finite.
     pub(super) fn of(family: &Family, f: &Fraction) -> Option<(Self, Fraction)> {
         let mut all = Self { parts: Vec::new(), names: family.names.clone() };
         let mut f = f.clone();
@@ -377,7 +377,8 @@ impl Product {
         Some(format!("({}) = ({})", names.join(", "), values.join(", ")))
     }
 
-    /// `f = 0` as `2*u = 1` or `u^2 + v^2 = w`: of the ways to write a function of barycentric coordinates the shortest.
+    /// `f = 0` as `2*u = 1` or `u^2 + v^2 = w`: of the ways to write a function of barycentric coordinates the
+    /// shortest.
     pub(super) fn equation(&self, f: &Poly) -> String {
         if let [var] = f.variables()[..]
             && let [c, d] = &f.coefficients_in(var)[..]

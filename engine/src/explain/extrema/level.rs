@@ -16,7 +16,10 @@ use crate::algebra::work::Work;
 use basis_kernel::{Relation, Statement};
 use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort;
-use basis_prover::{Failure, decide};
+use basis_prover::{Failure, decide, within};
+
+/// The work for the sign of a factor.
+const WORK: u64 = 1_000_000;
 
 /// Where a polynomial is 0.
 #[derive(Debug, Default)]
@@ -33,8 +36,8 @@ pub(super) struct Level {
     pub(super) open: bool,
 }
 
-/// Where a polynomial is 0. For one that does not change its sign, `known` are these points but for those on curves; else nothing.
-/// The domain of the family has `free` further dimensions.
+/// Where a polynomial is 0. For one that does not change its sign, `known` are these points but for those on curves;
+/// else nothing. The domain of the family has `free` further dimensions.
 pub(super) fn level(
     domain: &Product,
     p: &Poly,
@@ -196,7 +199,7 @@ fn sign(domain: &Product, p: &Poly) -> Sign {
     let all = domain.domain();
     let is_so = |relation: Relation| {
         let sign = Statement::Sign { value: p.clone().into(), relation, domain: Rc::clone(&all) };
-        decide(sign, &Vec::new(), 1)
+        within(WORK, &mut || decide(sign.clone(), &Vec::new(), 1))
     };
     if is_so(Relation::Positive).is_ok() {
         return Sign::Positive;

@@ -1,7 +1,7 @@
 //! Points of an angle that are seen to be zeros: rational multiples of π, and rational numbers.
 //!
-//! The tangent of q·π with a fraction q = m/n is a root of Im (1 + ix)ⁿ. Beside it the angle itself is a multiple of π, which is
-//! transcendental: a function is 0 there if the coefficients of all powers of π are.
+//! The tangent of q·π with a fraction q = m/n is a root of Im (1 + ix)ⁿ. Beside it the angle itself is a multiple of
+//! π, which is transcendental: a function is 0 there if the coefficients of all powers of π are.
 
 use super::interval::Interval;
 use crate::algebra::fraction::Fraction;

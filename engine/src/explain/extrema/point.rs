@@ -75,6 +75,11 @@ impl Point {
         Some(Self { field: Some(larger), coordinates })
     }
 
+    /// Whether a variable has a coordinate.
+    pub(super) fn has(&self, var: Var) -> bool {
+        self.coordinates.iter().any(|(v, _)| *v == var)
+    }
+
     /// The coordinate of a variable; 0 for one that has none.
     pub(super) fn element(&self, var: Var) -> Element {
         self.coordinates.iter().find(|(v, _)| *v == var).map(|(_, x)| x.clone()).unwrap_or_default()

@@ -17,10 +17,12 @@ use crate::model::Family;
 use basis_kernel::{Relation, Statement};
 use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort_by;
-use basis_prover::{Coordinate, decide};
+use basis_prover::{Coordinate, decide, within};
 
 /// The steps of the lattice on which a negative value is looked for.
 const STEPS: i64 = 4;
+/// The work for the sign of a function.
+const SIGN: u64 = 1_000_000;
 /// The work for the zeros of a function whose stationary points take too much.
 const ZEROS: u64 = 300_000;
 
@@ -44,7 +46,7 @@ pub(super) fn of_function(family: &Family, label: &str, f: &Fraction, work: &mut
     }
     let signs = |relation: Relation, p: &Poly| {
         let sign = Statement::Sign { value: p.clone().into(), relation, domain: domain.domain() };
-        decide(sign, &Vec::new(), 1).is_ok()
+        within(SIGN, &mut || decide(sign.clone(), &Vec::new(), 1).is_ok())
     };
     // With a denominator that is positive.
     let (numer, denom) = if f.denom().as_constant().is_some() || signs(Relation::Positive, f.denom()) {

@@ -1,4 +1,5 @@
-//! Where a function of several variables may be least or greatest: corners of the domain, and stationary points on all of its faces.
+//! Where a function of several variables may be least or greatest: corners of the domain, and stationary points on
+//! all of its faces.
 
 use super::domain::{Face, Product};
 use super::point::Point;
@@ -18,18 +19,19 @@ pub(super) struct Stationary {
     pub(super) points: Vec<Point>,
     /// The values on ovals of stationary points.
     pub(super) values: Vec<Rational>,
-    /// Whether there are more of them on lines and curves in space, of which no factor of a level tells, and the values there.
+    /// Whether there are more of them on lines and curves in space, of which no factor of a level tells, and the
+    /// values there.
     pub(super) others: bool,
     pub(super) on_lines: Vec<Rational>,
     /// Whether there are curves of them that reach the ends of the domain, on which the function is not 0.
     pub(super) curves: bool,
 }
 
-/// Points among which a function is least and greatest on its domain; zeros of the function that are no corners only with
-/// `zeros`. `None` where they are out of reach.
+/// Points among which a function is least and greatest on its domain; zeros of the function that are no corners only
+/// with `zeros`. `None` where they are out of reach.
 ///
-/// Where a function does not depend on a variable of a face, or where a curve of stationary points is unbounded, its values are
-/// those at other faces, too.
+/// Where a function does not depend on a variable of a face, or where a curve of stationary points is unbounded, its
+/// values are those at other faces, too.
 pub(super) fn stationary(domain: &Product, f: &Fraction, zeros: bool, work: &mut Work) -> Option<Stationary> {
     let mut all = Stationary::default();
     for face in domain.faces() {
@@ -52,6 +54,10 @@ fn on_face(
         return Some(());
     }
     if face.free.iter().any(|(var, ..)| !own.depends_on(*var)) {
+        // Lines on a facet, which no function of fewer variables explains.
+        let is_line = face.free.iter().any(|(var, ..)| own.depends_on(*var));
+        all.curves |=
+            is_line && face.free.iter().any(|(var, ..)| f.depends_on(*var) && !own.depends_on(*var));
         return Some(());
     }
     let mut equations = Vec::new();
@@ -101,14 +107,16 @@ fn on_face(
     Some(())
 }
 
-/// The factors of a polynomial that have degree 1 in no variable, and are no factors of a function, which is 0 where they are.
+/// The factors of a polynomial that have degree 1 in no variable, and are no factors of a function, which is 0 where
+/// they are.
 fn bounded(p: &Poly, of: &Poly, work: &mut Work) -> Option<Vec<Poly>> {
     let factors = checked_factor(p, work)?.1.into_iter().map(|(f, _)| f);
     let is_graph = |f: &Poly| f.variables().iter().any(|var| f.degree(*var) == 1);
     Some(factors.filter(|f| !is_graph(f) && of.div_exact(f).is_none()).listed())
 }
 
-/// The remainder on division by a polynomial whose leading coefficient in a variable is a number; `None` if there is none.
+/// The remainder on division by a polynomial whose leading coefficient in a variable is a number; `None` if there is
+/// none.
 fn modulo(p: &Poly, by: &Poly) -> Option<Poly> {
     let leading = |var: &Var| Some((*var, by.coefficients_in(*var).last()?.as_constant()?.recip()?));
     let (var, unit) = by.variables().iter().find_map(leading)?;

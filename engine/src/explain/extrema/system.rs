@@ -1,9 +1,9 @@
-//! Systems of polynomial equations: their solutions where variables can be put in place of one another, and of two variables by
-//! a resultant.
+//! Systems of polynomial equations: their solutions where variables can be put in place of one another, and of two
+//! variables by a resultant.
 //!
-//! Equations are split into factors. One of degree 1 in a variable is solved for it; where its coefficient vanishes, that is an
-//! equation of its own. Where there is none, roots of an equation in one variable are put in the others, over the field that they
-//! generate, and two equations in two variables have a resultant in one.
+//! Equations are split into factors. One of degree 1 in a variable is solved for it; where its coefficient vanishes,
+//! that is an equation of its own. Where there is none, roots of an equation in one variable are put in the others,
+//! over the field that they generate, and two equations in two variables have a resultant in one.
 
 use super::numbers;
 use super::point::{Point, constant};
@@ -28,8 +28,8 @@ const MAX_DEGREE: u32 = 24;
 pub(super) struct Solutions {
     /// Those that are isolated.
     pub(super) points: Vec<Point>,
-    /// Lines and graphs of solutions beside them, which reach the ends of every domain: what is put in place of variables, in order;
-    /// nothing where that is irrational.
+    /// Lines and graphs of solutions beside them, which reach the ends of every domain: what is put in place of
+    /// variables, in order; nothing where that is irrational.
     pub(super) graphs: Vec<Option<Vec<(Var, Fraction)>>>,
 }
 
@@ -88,8 +88,8 @@ impl System {
         self.eliminate(known, found, work)
     }
 
-    /// The equations in factors of which none matters less than the others; nothing inside if there is no solution, or where the
-    /// cases of an equation with several factors have been looked at.
+    /// The equations in factors of which none matters less than the others; nothing inside if there is no solution,
+    /// or where the cases of an equation with several factors have been looked at.
     #[expect(clippy::option_option, reason = "the work may be spent")]
     fn split(&self, known: &Known, found: &mut Solutions, work: &mut Work) -> Option<Option<Vec<Poly>>> {
         if self.nonzero.is_zero() {
@@ -217,7 +217,7 @@ impl System {
             let field = point.field()?;
             let inverse = field.inverse(d, work)?;
             let x = field.mul(&c.scale(&Rational::from(-1)), &inverse, work)?;
-            known.complete(point.with(var, x), found, work)?;
+            self.complete(known, point.with(var, x), found, work)?;
             return Some(());
         }
         if common.len() < 2 {
@@ -243,7 +243,7 @@ impl System {
                 holds = holds && point.sign(&value, work)? == 0;
             }
             if holds {
-                known.complete(point, found, work)?;
+                self.complete(known, point, found, work)?;
             }
         }
         Some(())
@@ -264,7 +264,28 @@ impl System {
             return Some(());
         }
         let point = known.point(work)?;
-        known.complete(point, found, work)
+        self.complete(&known, point, found, work)
+    }
+
+    /// Adds the solution that has these coordinates.
+    fn complete(
+        &self,
+        known: &Known,
+        mut point: Point,
+        found: &mut Solutions,
+        work: &mut Work,
+    ) -> Option<()> {
+        for (var, value) in known.solved.iter().rev() {
+            // Where the denominator vanishes there is another case.
+            let Some(x) = point.quotient(value, work)? else { return Some(()) };
+            point = point.with(*var, x);
+        }
+        if self.ranges.iter().all(|(var, ..)| point.has(*var)) {
+            found.points.push(point);
+        } else {
+            found.graphs.push(None);
+        }
+        Some(())
     }
 
     /// Adds a resultant of two equations.
@@ -299,17 +320,6 @@ impl Known {
         }
         let point = Point::irrational(&roots, work)?;
         Some(rational.into_iter().fold(point, |point, (var, x)| point.with(var, x)))
-    }
-
-    /// Adds the solution that has these coordinates.
-    fn complete(&self, mut point: Point, found: &mut Solutions, work: &mut Work) -> Option<()> {
-        for (var, value) in self.solved.iter().rev() {
-            // Where the denominator vanishes there is another case.
-            let Some(x) = point.quotient(value, work)? else { return Some(()) };
-            point = point.with(*var, x);
-        }
-        found.points.push(point);
-        Some(())
     }
 }
 
