@@ -109,6 +109,7 @@ fn with_parameters_angles_and_numbers() {
     compare(
         "family Shaped { domain triangle (u, v, w); shape 0 <= k <= 2; s[0] = u - k*v; s[1] = u; }
         family Sector { domain 0 <= t <= pi/2, 0 <= r <= 1; q[0] = r*cos(t) - 1/2; q[1] = r - 1/2; }
+        family Many { domain 0 <= a <= 1, 0 <= b <= 1, 0 <= c <= 1, 0 <= d <= 1; f[0] = a*b*c - d; f[1] = a*b*c*d; }
         family Number { domain 0 <= x <= 1, 0 <= y <= 1; n[0] = x - pi*y; n[1] = x; }",
         &[
             "s[0] at k = 1: zero on the line u = v; least value -1 at (u, v, w) = (0, 1, 0); greatest value 1 at (u, v, w) = \
@@ -116,6 +117,7 @@ fn with_parameters_angles_and_numbers() {
             "q[0]: zero on the curve 2*r = 1 + tan(t/2)^2 + 2*tan(t/2)^2*r; least value -1/2 on the lines r = 0 and t = pi/2; \
              greatest value 1/2 at (t, r) = (0, 1)",
             "q[1]: zero on the line r = 1/2; least value -1/2 on the line r = 0; greatest value 1/2 on the line r = 1",
+            "f[0]: zeros and extrema are not stated: its domain has more than 3 dimensions",
             "n[0]: zeros and extrema are not stated: it contains a number that is not rational",
         ],
     );

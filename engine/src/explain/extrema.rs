@@ -30,6 +30,8 @@ use basis_prover::{Coordinate, candidates, typical};
 /// The work for the extrema of a family, and of one function of several variables.
 const WORK: u64 = 20_000_000;
 const OF_SEVERAL: u64 = 1_000_000;
+/// What looking at the points of a lattice takes.
+const SEARCH: u64 = 20_000;
 
 /// Where a function is zero and where it is least and greatest.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -161,7 +163,7 @@ pub fn extrema(family: &Family) -> AllExtrema {
             let label = family.function_label(k);
             let found = if family.interval().is_none() {
                 let (exact, label) = with_values(family, (&label, &f.value), &sample, &numbers);
-                exact.map(|exact| several::of_function(family, &label, &exact, &mut Work::new(OF_SEVERAL)))
+                exact.and_then(|exact| of_several(family, &label, &exact, work))
             } else {
                 match parametric::of_function(family, &f.value, work) {
                     Some(Some(found)) => {
@@ -179,6 +181,16 @@ pub fn extrema(family: &Family) -> AllExtrema {
         }
     });
     all
+}
+
+/// What is known of a function of several variables; `None` when the work for all of them is spent.
+fn of_several(family: &Family, label: &str, f: &Fraction, work: &mut Work) -> Option<Found> {
+    work.spend(SEARCH)?;
+    let units = OF_SEVERAL.min(work.left());
+    let mut own = Work::new(units);
+    let found = several::of_function(family, label, f, &mut own);
+    work.spend(units - own.left())?;
+    Some(found)
 }
 
 /// A function at the values of the shape parameters that it contains, and its name with these.

@@ -14,13 +14,15 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
-use basis_kernel::{Relation, Statement};
+use basis_kernel::{Quotient, Relation, Statement};
 use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort_by;
 use basis_prover::{Coordinate, decide, within};
 
 /// The steps of the lattice on which a negative value is looked for.
 const STEPS: i64 = 4;
+/// Domains of more dimensions have too many faces.
+const MAX_DIMENSION: usize = 3;
 /// The work for the sign of a function.
 const SIGN: u64 = 1_000_000;
 /// The work for the zeros of a function whose stationary points take too much.
@@ -44,10 +46,17 @@ pub(super) fn of_function(family: &Family, label: &str, f: &Fraction, work: &mut
         let extremum = Extremum { value: value.to_string(), at: Vec::new(), on: vec![everywhere] };
         return Found::Known(Box::new(Extrema::new(label, extremum.clone(), extremum)));
     }
-    let signs = |relation: Relation, p: &Poly| {
-        let sign = Statement::Sign { value: p.clone().into(), relation, domain: domain.domain() };
+    let is_so = |relation: Relation, value: Quotient| {
+        let sign = Statement::Sign { value, relation, domain: domain.domain() };
         within(SIGN, &mut || decide(sign.clone(), &Vec::new(), 1).is_ok())
     };
+    if family.domain.len() > MAX_DIMENSION {
+        if is_so(Relation::NonNegative, f.quotient()) {
+            return Found::Nonnegative;
+        }
+        return Found::Open(format!("its domain has more than {MAX_DIMENSION} dimensions"));
+    }
+    let signs = |relation: Relation, p: &Poly| is_so(relation, p.clone().into());
     // With a denominator that is positive.
     let (numer, denom) = if f.denom().as_constant().is_some() || signs(Relation::Positive, f.denom()) {
         (f.numer().clone(), f.denom().clone())
