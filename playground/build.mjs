@@ -7,6 +7,7 @@ import zlib from 'node:zlib';
 import binaryen from 'binaryen';
 import esbuild from 'esbuild';
 import { BUDGET } from './budget.mjs';
+import { joined, sections } from './pack/module.mjs';
 import { silent } from './pack/traps.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
@@ -50,14 +51,19 @@ function unpacking(bytes) {
   return smaller;
 }
 
-/** The engine as the page loads it. */
-async function packed(engine) {
+const DATA = 11;
+/** The engine without its data, and these with the script, as the page loads them. */
+async function packed(engine, script) {
   const built = await esbuild.build({ entryPoints: [path.join(here, 'src', 'unpack.ts')], bundle: true, format: 'esm', write: false });
-  const { turned } = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
-  const fresh = async () => (await WebAssembly.instantiate(packing, {})).instance;
-  const file = turned(await fresh(), 'packed', engine).slice();
-  if (Buffer.compare(turned(await fresh(), 'unpacked', file), engine) !== 0) throw new Error('what is unpacked is not the engine');
-  return file;
+  const { parts, turned, whole } = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
+  const way = async (name, bytes) => turned((await WebAssembly.instantiate(packing, {})).instance, name, bytes).slice();
+  const all = sections(engine);
+  const code = await way('packed', joined(all.filter(({ id }) => id !== DATA)));
+  const page = await way('packed', joined([...all.filter(({ id }) => id === DATA), { id: DATA, content: script }]));
+  const back = parts(await way('unpacked', page));
+  if (Buffer.compare(whole(await way('unpacked', code), back.data), engine) !== 0) throw new Error('what is unpacked is not the engine');
+  if (Buffer.compare(back.script, script) !== 0) throw new Error('what is unpacked is not the script');
+  return { code, page };
 }
 
 // The engine itself says what the library holds: words for the editor, verdicts for the list.
@@ -100,15 +106,20 @@ fs.writeFileSync(path.join(here, 'src', 'generated', 'catalogue.json'), JSON.str
 
 fs.rmSync(dist, { recursive: true, force: true });
 fs.mkdirSync(dist);
-await esbuild.build({
+const { outputFiles: scripts } = await esbuild.build({
   entryPoints: ['boot', 'main', 'worker'].map((name) => path.join(here, 'src', `${name}.ts`)),
-  bundle: true, minify: true, format: 'iife', target: 'es2022', outdir: dist, logLevel: 'warning', legalComments: 'none',
+  bundle: true, minify: true, format: 'iife', target: 'es2022', outdir: dist, write: false, logLevel: 'warning', legalComments: 'none',
 });
+const [boot, main, worker] = scripts.map(({ contents }) => contents);
+fs.writeFileSync(path.join(dist, 'boot.js'), boot);
+fs.writeFileSync(path.join(dist, 'worker.js'), worker);
 const style = await esbuild.transform(fs.readFileSync(path.join(here, 'style.css'), 'utf8'), { loader: 'css', minify: true });
 fs.writeFileSync(path.join(dist, 'style.css'), style.code);
 fs.copyFileSync(path.join(here, 'index.html'), path.join(dist, 'index.html'));
-// By gzip, which servers and browsers do by themselves, it would be three quarters as large again.
-fs.writeFileSync(path.join(dist, 'basis.wasm.packed'), await packed(wasm));
+// By gzip, which servers and browsers do by themselves, they would be three quarters as large again.
+const { code, page } = await packed(wasm, main);
+fs.writeFileSync(path.join(dist, 'engine.packed'), code);
+fs.writeFileSync(path.join(dist, 'page.packed'), page);
 fs.writeFileSync(path.join(dist, 'packing.wasm'), unpacking(packing));
 
 let all = 0;

@@ -1,5 +1,5 @@
 // The worker as the page sees it: the newest text wins, and what does not answer is ended.
-import type { Answer, Item, Reply, Request, Verdicts } from './protocol';
+import type { Answer, Item, Question, Reply, Verdicts } from './protocol';
 
 /** Milliseconds of silence after which the worker is ended. */
 const PATIENCE = 5000;
@@ -44,7 +44,7 @@ export class Engine {
     });
   }
 
-  private send(request: Request): void {
+  private send(request: Question): void {
     if (!this.worker) {
       this.start();
       // A question is about the text that was open.
@@ -60,10 +60,14 @@ export class Engine {
 
   private start(): void {
     this.ready = false;
-    // The first one was started by the page's first script.
-    const boot = globalThis as { basisWorker?: Worker };
-    this.worker = boot.basisWorker ?? new Worker('worker.js');
-    delete boot.basisWorker;
+    // The first one was started by the page's first script, which unpacked the engine's data for all of them.
+    const boot = (globalThis as unknown as { basis: { worker?: Worker; data: Uint8Array<ArrayBuffer> } }).basis;
+    this.worker = boot.worker;
+    delete boot.worker;
+    if (!this.worker) {
+      this.worker = new Worker('worker.js');
+      this.worker.postMessage({ kind: 'data', data: boot.data });
+    }
     this.worker.onmessage = ({ data }: MessageEvent<Reply>) => this.hear(data);
     this.worker.onerror = (event) => this.end(event.message || 'the worker cannot be started');
   }

@@ -152,10 +152,13 @@ export type Answer<T> = T | Refusal;
 
 export const isRefusal = (answer: object): answer is Refusal => 'error' in answer;
 
-/** From the page to the worker. */
-export type Request =
+/** From the page to the worker: a text, or a question about it. */
+export type Question =
   | { kind: 'open'; version: number; text: string }
   | { kind: 'ask'; id: number; question: Record<string, unknown> };
+
+/** The same, or what the first script of the page unpacked of the engine. */
+export type Request = Question | { kind: 'data'; data: Uint8Array<ArrayBuffer> };
 
 /** From the worker to the page. */
 export type Reply =

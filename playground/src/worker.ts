@@ -1,7 +1,7 @@
 // The engine beside the page: answers questions, and decides the claims of the open spec in slices in between, so that a
 // newer text stops the work on an older one.
-import type { Item, Reply, Request, Verdicts } from './protocol';
-import { turned } from './unpack';
+import type { Item, Question, Reply, Request, Verdicts } from './protocol';
+import { fetched, turned, whole } from './unpack';
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -21,7 +21,10 @@ const LIMIT = 30_000;
 const say = (reply: Reply): void => postMessage(reply);
 const channel = new MessageChannel();
 let engine: Exports | undefined;
-let waiting: Request[] = [];
+/** The engine's data, which the page unpacks. */
+let bring: (data: Uint8Array<ArrayBuffer>) => void;
+const data = new Promise<Uint8Array<ArrayBuffer>>((resolve) => { bring = resolve; });
+let waiting: Question[] = [];
 /** Why there is no engine. */
 let broken = '';
 /** What is being decided. */
@@ -29,7 +32,8 @@ let job: { version: number; spent: number; reported: number; decided: number } |
 
 // The handler stands before anything is awaited: what arrives meanwhile would be lost otherwise.
 onmessage = ({ data }: MessageEvent<Request>) => {
-  if (broken) say({ kind: 'failed', message: broken });
+  if (data.kind === 'data') bring(data.data);
+  else if (broken) say({ kind: 'failed', message: broken });
   else if (engine) handle(data);
   else waiting.push(data);
 };
@@ -46,7 +50,7 @@ function ask(question: Record<string, unknown>): any {
   return JSON.parse(answer);
 }
 
-function handle(request: Request): void {
+function handle(request: Question): void {
   try {
     if (request.kind === 'ask') {
       say({ kind: 'answer', id: request.id, answer: ask(request.question) });
@@ -90,17 +94,12 @@ function slice(): void {
   }
 }
 
-async function fetched(name: string): Promise<ArrayBuffer> {
-  const answer = await fetch(name);
-  if (!answer.ok) throw new Error(`${name} cannot be loaded: ${answer.status}`);
-  return answer.arrayBuffer();
-}
-
 async function load(): Promise<void> {
   try {
-    const [packing, packed] = await Promise.all(['packing.wasm', 'basis.wasm.packed'].map(fetched));
+    const [packing, packed] = await Promise.all(['packing.wasm', 'engine.packed'].map(fetched));
     const unpacker = await WebAssembly.instantiate(packing!, {});
-    const { instance } = await WebAssembly.instantiate(turned(unpacker.instance, 'unpacked', new Uint8Array(packed!)), {});
+    const code = turned(unpacker.instance, 'unpacked', new Uint8Array(packed!));
+    const { instance } = await WebAssembly.instantiate(whole(code, await data), {});
     engine = instance.exports as unknown as Exports;
     say({ kind: 'ready' });
     const all = waiting;

@@ -4,11 +4,11 @@ import { load } from './bundle.mjs';
 
 const dist = (name) => Uint8Array.from(fs.readFileSync(new URL(`../dist/${name}`, import.meta.url)));
 
-/** The module that the worker makes of the file. */
+/** The module that the worker makes of the files. */
 export async function module() {
-  const { turned } = await load('unpack.ts');
-  const { instance } = await WebAssembly.instantiate(dist('packing.wasm'), {});
-  return turned(instance, 'unpacked', dist('basis.wasm.packed')).slice();
+  const { parts, turned, whole } = await load('unpack.ts');
+  const unpacked = async (name) => turned((await WebAssembly.instantiate(dist('packing.wasm'), {})).instance, 'unpacked', dist(name));
+  return whole(await unpacked('engine.packed'), parts(await unpacked('page.packed')).data);
 }
 
 /** What answers questions, as `playground/engine` lists them. */

@@ -29,7 +29,7 @@ async function open(fragment = '', options = {}) {
   const page = await context.newPage();
   page.on('console', (m) => { if (['error', 'warning'].includes(m.type())) complaints.push(m.text()); });
   page.on('pageerror', (e) => complaints.push(e.message));
-  page.on('request', (r) => { if (!r.url().startsWith(address) && !r.url().startsWith('data:')) complaints.push(`asks for ${r.url()}`); });
+  page.on('request', (r) => { if (![address, `blob:${address}`, 'data:'].some((own) => r.url().startsWith(own))) complaints.push(`asks for ${r.url()}`); });
   await page.goto(address + fragment);
   return page;
 }
