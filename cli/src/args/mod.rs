@@ -63,8 +63,8 @@ pub(crate) enum Command {
     /// combinations of its control points; the shape values at which the functions are linearly dependent; which
     /// control points C1, G1, C2 and G2 contact with another curve determines at either end, as formulas; the matrices
     /// to and from the Bernstein basis, of degree elevation, mass and stiffness, and the moments; zeros and extrema of
-    /// functions that are negative somewhere, or why they are not stated; the verdicts of its claims; and the largest ranges of the shape parameters
-    /// on which all functions stay nonnegative.
+    /// functions that are negative somewhere, or why they are not stated; the verdicts of its claims; and the largest
+    /// ranges of the shape parameters on which all functions stay nonnegative.
     ///
     /// Of a join or theorem: its curves, surfaces and scalars with their ranges, the control points that it determines
     /// as formulas in the given ones, and its claims, each with its verdict and the reason.
