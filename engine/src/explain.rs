@@ -564,11 +564,6 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
     if denom.is_one() { bracket(numer) } else { format!("{}/{below}", bracket(numer)) }
 }
 
-/// What the bounds of [`crate::rounding`] assume; `None` where that is nothing.
-pub fn rounding_assumes(family: &Family) -> Option<String> {
-    rounding::assumed(family)
-}
-
 /// Proved bounds of the rounding errors of the values, and of a point of a curve or patch, each with what it is about;
 /// nothing for families for which no code can be generated.
 ///

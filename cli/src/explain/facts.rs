@@ -3,7 +3,7 @@
 use basis_engine::claim::ClaimKind;
 use basis_engine::query::{FunctionFacts, function_facts, latex};
 use basis_engine::state::as_declared;
-use basis_engine::{Checked, Claim, Family, Library, Subject, Verdict, explain};
+use basis_engine::{Checked, Claim, Family, Library, Subject, Verdict, explain, rounding};
 use serde::Serialize;
 
 use crate::domain;
@@ -62,7 +62,7 @@ pub(super) struct FamilyFacts {
     /// Zeros and extrema of the functions that are negative somewhere.
     pub(super) extrema: Vec<ExtremaFacts>,
     /// The functions of which nothing of this is said, and why.
-    pub(super) extrema_open: Vec<String>,
+    pub(super) extrema_open: Vec<Open>,
     /// The largest ranges of the shape parameters on which all functions are nonnegative.
     pub(super) nonnegative: Vec<String>,
     /// The claims with their verdicts; none where they are not asked for.
@@ -151,6 +151,20 @@ pub(super) struct Extremum {
     pub(super) at: Vec<String>,
     /// Lines, curves and so on at all of whose points it is taken.
     pub(super) on: Vec<Locus>,
+}
+
+/// A function of which nothing is said, and why.
+#[derive(Debug)]
+pub(super) struct Open {
+    pub(super) name: String,
+    pub(super) why: String,
+}
+
+/// As one text, `b[2]: it contains a number that is not rational`.
+impl Serialize for Open {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&format_args!("{}: {}", self.name, self.why))
+    }
 }
 
 /// The points of the domain that satisfy an equation.
@@ -277,13 +291,13 @@ impl FamilyFacts {
             ends: explain::end_derivatives(span, ORDER).into_iter().map(equation).collect(),
             dependent: set.exceptions.iter().map(|e| explain::describe_exception(family, e)).collect(),
             dependent_open: set.open,
-            rounding_assumes: explain::rounding_assumes(family).filter(|_| !rounding.is_empty()),
+            rounding_assumes: rounding::assumed(family).filter(|_| !rounding.is_empty()),
             rounding: rounding.into_iter().map(|(of, bound)| Rounding { of, bound }).collect(),
             contacts: explain::contacts(span).into_iter().map(contact).collect(),
             matrices: conversions.iter().chain(&explain::matrices(library, span, next)).map(matrix).collect(),
             matrices_open: explain::matrices_left_out(span),
             extrema: all_extrema.known.into_iter().map(extrema).collect(),
-            extrema_open: all_extrema.open,
+            extrema_open: all_extrema.open.into_iter().map(|(name, why)| Open { name, why }).collect(),
             nonnegative: explain::nonnegative_ranges(span).iter().map(ToString::to_string).collect(),
             claims: checked.map_or_else(Vec::new, claims),
         }

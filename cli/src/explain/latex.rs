@@ -119,8 +119,8 @@ fn of_span(facts: &FamilyFacts) -> String {
         text += "\n\n";
     }
     for open in &facts.extrema_open {
-        let (name, why) = open.split_once(": ").unwrap_or((open, ""));
-        text += &format!("Zeros and extrema of {} are not stated: {}.\n\n", inline(name), escape(why));
+        let (name, why) = (inline(&open.name), escape(&open.why));
+        text += &format!("Zeros and extrema of {name} are not stated: {why}.\n\n");
     }
     text
 }

@@ -18,8 +18,7 @@ pub(super) fn section(text: &mut String, facts: &FamilyFacts) {
         text.push('\n');
     }
     for open in &facts.extrema_open {
-        let (name, why) = open.split_once(": ").unwrap_or((open, ""));
-        *text += &format!("    {name}: zeros and extrema are not stated: {why}\n");
+        *text += &format!("    {}: zeros and extrema are not stated: {}\n", open.name, open.why);
     }
 }
 

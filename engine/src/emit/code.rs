@@ -11,7 +11,7 @@ use crate::plan::Input;
 use crate::plan::digits::split;
 use crate::plan::interval::form::RationalForm;
 use crate::plan::reach::{Reach, decimal};
-use crate::rounding::{Error, has_ends_beside_floats, needs_functions};
+use crate::rounding::{Error, NEAREST, has_ends_beside_floats, needs_functions};
 use crate::steps::{Builder, FamilySteps, JoinSteps, Step, Steps};
 use crate::theorem::{Origin, Theorem};
 use basis_kernel::Relation;
@@ -308,9 +308,10 @@ impl<'a> FamilyCode<'a> {
         needs_functions(self.family) && self.rounding.iter().any(Option::is_some)
     }
 
-    /// Whether bounds of rounding errors take a float for an end or a knot next to it that is none.
-    pub fn takes_floats_for_ends(&self) -> bool {
-        has_ends_beside_floats(self.family) && self.rounding.iter().any(Option::is_some)
+    /// A sentence on what bounds of rounding errors take a float for next to an end or a knot that is none.
+    pub fn assumed_of_ends(&self) -> Option<String> {
+        let is_assumed = has_ends_beside_floats(self.family) && self.rounding.iter().any(Option::is_some);
+        is_assumed.then(|| format!("The {NEAREST}."))
     }
 
     /// Whether the distance to an end of the domain is computed from a number in parts, as no float has it exactly.

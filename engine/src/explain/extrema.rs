@@ -134,8 +134,8 @@ impl LocusKind {
 pub struct AllExtrema {
     /// Their zeros and extrema.
     pub known: Vec<Extrema>,
-    /// Of which functions nothing is said, and why: `b[2]: it contains a number that is not rational`.
-    pub open: Vec<String>,
+    /// Of which functions nothing is said, each with why, such as `it contains a number that is not rational`.
+    pub open: Vec<(String, String)>,
 }
 
 /// What is known of a function.
@@ -176,7 +176,7 @@ pub fn extrema(family: &Family) -> AllExtrema {
             match found.unwrap_or_else(|| Found::Open(String::from(SPENT))) {
                 Found::Nonnegative => {}
                 Found::Known(found) => all.known.push(*found),
-                Found::Open(why) => all.open.push(format!("{label}: {why}")),
+                Found::Open(why) => all.open.push((label, why)),
             }
         }
     });
@@ -200,11 +200,21 @@ fn with_values(
     sample: &[(Var, Rational)],
     numbers: &[Var],
 ) -> (Option<Fraction>, String) {
-    let shapes = sample.iter().filter(|(v, _)| !numbers.contains(v) && f.depends_on(*v)).listed();
-    let put = |f: Fraction, (v, x): &&(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
+    let shapes = own_shapes(f, sample, numbers);
     let shown = shapes.iter().map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
     let label = if shown.is_empty() { label.to_owned() } else { format!("{label} at {}", shown.join(", ")) };
-    (shapes.iter().try_fold(f.clone(), put), label)
+    (put(f, &shapes), label)
+}
+
+/// The values of the shape parameters that a function contains; what it does not contain may be anything.
+fn own_shapes(f: &Fraction, sample: &[(Var, Rational)], numbers: &[Var]) -> Vec<(Var, Rational)> {
+    sample.iter().filter(|(v, _)| !numbers.contains(v) && f.depends_on(*v)).cloned().listed()
+}
+
+/// A function with numbers in place of variables; `None` where it has no value there.
+fn put(f: &Fraction, values: &[(Var, Rational)]) -> Option<Fraction> {
+    let put = |f: Fraction, (v, x): &(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
+    values.iter().try_fold(f.clone(), put)
 }
 
 /// Shape values that satisfy what is assumed, away from the ends of their ranges where that is possible.
@@ -233,13 +243,8 @@ fn at_sample(
 ) -> Option<Found> {
     let (var, low, high) = family.interval()?;
     let open = |why: &str| Some(Found::Open(String::from(why)));
-    // What the function does not contain may be anything.
-    let shapes = sample.iter().filter(|(v, _)| !numbers.contains(v) && f.depends_on(*v)).listed();
-    let known = sample.iter().filter(|(v, _)| numbers.contains(v)).listed();
-    let put = |f: &Fraction, values: &[&(Var, Rational)]| {
-        let put = |f: Fraction, (v, x): &&(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
-        values.iter().try_fold(f.clone(), put)
-    };
+    let shapes = own_shapes(f, sample, numbers);
+    let known = sample.iter().filter(|(v, _)| numbers.contains(v)).cloned().listed();
     let part = |p: &Poly| Univariate::from_poly(p, var);
     if family.analytic.beside(f).next().is_some() {
         let dependent = family.analytic.dependent();

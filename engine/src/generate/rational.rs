@@ -10,12 +10,10 @@ use super::code::{docs, reach};
 use super::formula::{factored, is_sum};
 use super::rust::{BERNSTEIN, Body};
 use super::{nonnegative, rounding};
-use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;
+use crate::model::Family;
 use crate::model::angle::{Analytic, Angle, Kind};
-use crate::model::{Family, Parameter};
 use crate::plan::digits::split;
 use crate::plan::interval::form::RationalForm;
 use crate::plan::interval::rational;
@@ -390,38 +388,13 @@ impl OnSpan<'_> {
 
     /// That the ends of the domain are sums of multiples of shape parameters, where these are not floats themselves.
     fn sums_as_ends(&self, angle: &Angle) -> Option<TokenStream> {
-        let Self { family, shell, .. } = self;
-        // Factors that are floats.
-        let dyadic = |c: &Rational| split(c, 24).1.is_zero();
-        let terms = |end: &Fraction| {
-            let mut all: Vec<(Rational, TokenStream)> = Vec::new();
-            for (monomial, c) in end.as_poly()?.terms() {
-                let of = match (0..monomial.width()).map(Var).find(|var| monomial.exponent(*var) > 0) {
-                    None => quote_spanned!(site()=> S::ONE),
-                    Some(var) => {
-                        let is_own = |p: &Parameter| {
-                            p.var == var || family.analytic.angle(p.var).is_some_and(|a| a.itself == var)
-                        };
-                        let field = &shell.fields[family.shapes.iter().position(is_own)?];
-                        quote_spanned!(site()=> self.#field)
-                    }
-                };
-                if !dyadic(c) || monomial.total_degree() > 1 {
-                    return None;
-                }
-                all.push((c.clone(), of));
-            }
-            Some(all)
-        };
-        let [low, high] = [terms(&angle.limits[0])?, terms(&angle.limits[1])?];
-        let is_float = |terms: &Vec<(Rational, TokenStream)>| {
-            terms.len() < 2 && terms.iter().all(|(c, _)| split(c, 1).1.is_zero())
-        };
-        if is_float(&low) && is_float(&high) {
-            return None;
-        }
-        let [low, high] = [low, high].map(|terms| {
+        let sums = rational::sums(self.family, angle)?;
+        let [low, high] = sums.map(|terms| {
             let terms = terms.iter().map(|(c, of)| {
+                let of = match of.map(|k| &self.shell.fields[k]) {
+                    None => quote_spanned!(site()=> S::ONE),
+                    Some(field) => quote_spanned!(site()=> self.#field),
+                };
                 let c = literal(c);
                 quote_spanned!(site()=> (#c, #of))
             });

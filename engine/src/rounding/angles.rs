@@ -48,9 +48,9 @@ const TO_A_NUMBER: i64 = 3;
 /// What bounds assume of the elementary functions of a language, for families that need these.
 const FUNCTIONS: &str = "as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two";
 
-/// What a float is taken for where an end or a knot is none.
+/// What a float is taken for where an end or a knot is none, without the article.
 pub const NEAREST: &str =
-    "the float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot";
+    "float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot";
 
 /// Whether the values of a family are computed by elementary functions, so that bounds assume something of these.
 pub fn needs_functions(family: &Family) -> bool {
@@ -77,9 +77,9 @@ fn all_spans(family: &Family) -> impl Iterator<Item = &Family> {
 /// What the bounds of a family assume; `None` where that is nothing.
 pub fn assumed(family: &Family) -> Option<String> {
     match (needs_functions(family), has_ends_beside_floats(family)) {
-        (true, true) => Some(format!("{FUNCTIONS}; {NEAREST}")),
+        (true, true) => Some(format!("{FUNCTIONS}; the {NEAREST}")),
         (true, false) => Some(String::from(FUNCTIONS)),
-        (false, true) => Some(String::from(NEAREST)),
+        (false, true) => Some(format!("the {NEAREST}")),
         (false, false) => None,
     }
 }

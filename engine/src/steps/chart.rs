@@ -2,14 +2,13 @@
 
 use super::derived::{Deriving, Scalar};
 use super::{Builder, Function, lower};
-use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
+use crate::model::Family;
 use crate::model::angle::{Analytic, Angle, Kind};
-use crate::model::{Family, Parameter};
 use crate::plan::Input;
 use crate::plan::digits::split;
 use crate::plan::interval::form::RationalForm;
-use crate::plan::interval::rational;
+use crate::plan::interval::rational::{self, Term};
 
 /// The number of powers of two of which the factor of a shape parameter in an end is made, at most.
 const MOST_PARTS: usize = 4;
@@ -18,7 +17,7 @@ const MOST_PARTS: usize = 4;
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
     pub(super) ends: [Scalar; 2],
-    /// The terms of ends that are sums, which floats round.
+    /// The terms of ends that are sums, which floats round: powers of two times shape parameters, which no float rounds.
     sums: Option<[Vec<Term>; 2]>,
     kind: Kind,
     /// Of a kind with angles.
@@ -34,9 +33,6 @@ struct Turn {
     /// `Chart::balance`.
     balance: Scalar,
 }
-
-/// A power of two, times a shape parameter if there is one: what no float rounds.
-pub(crate) type Term = (Rational, Option<usize>);
 
 impl Deriving {
     /// The map of a span; `number` tells the names of its numbers from those of other spans.
@@ -111,39 +107,30 @@ impl Deriving {
     }
 }
 
-/// The terms of the ends of a domain, where these are sums of few multiples of shape parameters; `None` where both are
-/// floats, or their terms are not.
+/// The terms of the ends of a domain that are sums, with powers of two as factors; `None` where both ends are floats, or
+/// there are too many terms.
 pub(crate) fn sums(family: &Family, angle: &Angle) -> Option<[Vec<Term>; 2]> {
-    let terms = |end: &Fraction| {
-        let mut terms = Vec::new();
-        for (monomial, c) in end.as_poly()?.terms() {
-            let is_in = |p: &Parameter| {
-                let itself = family.analytic.angle(p.var).map(|angle| angle.itself);
-                monomial.exponent(p.var) > 0 || itself.is_some_and(|var| monomial.exponent(var) > 0)
-            };
-            let of = match monomial.total_degree() {
-                0 => None,
-                1 => Some(family.shapes.iter().position(is_in)?),
-                _ => return None,
-            };
-            // The runtime computes with factors that are floats.
-            let mut left = Some(c.clone()).filter(|c| split(c, 24).1.is_zero())?;
-            for _ in 0..MOST_PARTS {
-                let (power, rest) = split(&left, 1);
-                terms.push((power, of));
-                left = rest;
-                if left.is_zero() {
-                    break;
-                }
+    let [low, high] = rational::sums(family, angle)?;
+    Some([in_powers(&low)?, in_powers(&high)?])
+}
+
+fn in_powers(terms: &[Term]) -> Option<Vec<Term>> {
+    let mut all = Vec::new();
+    for (c, of) in terms {
+        let mut left = c.clone();
+        for _ in 0..MOST_PARTS {
+            if left.is_zero() {
+                break;
             }
-            if !left.is_zero() {
-                return None;
-            }
+            let (power, rest) = split(&left, 1);
+            all.push((power, *of));
+            left = rest;
         }
-        Some(terms)
-    };
-    let [low, high] = [terms(&angle.limits[0])?, terms(&angle.limits[1])?];
-    (low.len() > 1 || high.len() > 1).then_some([low, high])
+        if !left.is_zero() {
+            return None;
+        }
+    }
+    Some(all)
 }
 
 impl Chart {

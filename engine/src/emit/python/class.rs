@@ -65,8 +65,8 @@ impl Class<'_> {
         if code.assumes_functions() {
             text += "# They assume that sin, cos, tan and expm1 are within one unit in the last place, tanh within two.\n";
         }
-        if code.takes_floats_for_ends() {
-            text += "# The float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot.\n";
+        if let Some(assumed) = code.assumed_of_ends() {
+            text += &format!("# {assumed}\n");
         }
         let bounds = code.rounding.iter().map(|error| match bound_text(error.as_ref()) {
             Some((true, bound)) => format!("(\"relative\", {bound})"),

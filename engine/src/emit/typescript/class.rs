@@ -123,11 +123,7 @@ impl Class<'_> {
                 "They assume that Math.sin, cos, tan and expm1 are within one unit in the last place, Math.tanh within two.",
             ));
         }
-        if code.takes_floats_for_ends() {
-            about.push(String::from(
-                "The float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot.",
-            ));
-        }
+        about.extend(code.assumed_of_ends());
         text += &documented(&about);
         let one = |error: Option<&Error>| match error {
             Some(Error::Relative(bound)) => {

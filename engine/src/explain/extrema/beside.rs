@@ -8,7 +8,7 @@
 use super::interval::{Interval, QuotientInTwo, values};
 use super::multiples::{Exact, exact};
 use super::numbers::about;
-use super::{Extrema, Extremum, Found};
+use super::{Extrema, Extremum, Found, put};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
@@ -47,8 +47,7 @@ pub(super) fn of_function(
     let mut all =
         Derivatives { family, angle, ends: [low, high], all: Vec::new(), bounded: Vec::new(), fixed };
     all.fix_numbers();
-    let put = |f: Fraction, (v, x): &(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
-    let mut derivative = shapes.iter().try_fold(f.clone(), put)?;
+    let mut derivative = put(f, shapes)?;
     for _ in 0..ORDER {
         let vars = [angle.var, angle.itself];
         match QuotientInTwo::new(&derivative, vars, &all.fixed) {
@@ -58,7 +57,7 @@ pub(super) fn of_function(
         all.all.push(derivative.clone());
         let next = family.derivative_within(&derivative, var, work)?;
         // The tangent between two ends brings them back.
-        derivative = shapes.iter().try_fold(next, put)?;
+        derivative = put(&next, shapes)?;
     }
     Some(all.found(label, work).unwrap_or_else(open))
 }

@@ -1,12 +1,9 @@
 //! Proved bounds of the least value of a function whose stationary points are out of reach.
 
-use std::rc::Rc;
-
 use super::domain::{Product, at};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
-use basis_kernel::{Quotient, Relation, Statement};
-use basis_prover::{decide, within};
+use basis_kernel::Relation;
 
 /// The steps of the lattice on which the search begins, and how often its steps are halved.
 const STEPS: i64 = 8;
@@ -48,14 +45,12 @@ pub(super) fn least(domain: &Product, numer: &Poly, denom: &Poly) -> Option<(Rat
         step = &step * &Rational::new(1, 2);
     }
     // A little below, with as few digits as there are.
-    let all = domain.domain();
     for digits in [6, 4, 3, 2] {
         let unit = Rational::from(10_i64.pow(digits));
         let down = |x: &Rational| (x * &unit).floor().checked_div(&unit);
         let (high, low) = (-down(&-&least)?, down(&(&least - &unit.recip()?))?);
-        let value = Quotient { numerator: numer - &denom.scale(&low), denominator: Poly::one() };
-        let sign = Statement::Sign { value, relation: Relation::NonNegative, domain: Rc::clone(&all) };
-        if within(WORK, &mut || decide(sign.clone(), &Vec::new(), 1).is_ok()) {
+        let above = numer - &denom.scale(&low);
+        if domain.decide(above.into(), Relation::NonNegative, WORK).is_ok() {
             return Some((low, high));
         }
     }

@@ -12,9 +12,9 @@ use crate::algebra::rational::Rational;
 use crate::algebra::real::field::Element;
 use crate::algebra::work::Work;
 use crate::model::{Factor, Family};
-use basis_kernel::{Domain, Simplex};
-use basis_prover::Coordinate;
+use basis_kernel::{Domain, Quotient, Relation, Simplex, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::{Coordinate, Failure, decide, within};
 
 /// The steps of the lattice on which signs are looked at.
 const STEPS: i64 = 6;
@@ -328,8 +328,14 @@ impl Product {
         self.inequalities().iter().all(|p| at(p, point).is_some_and(|x| !x.is_negative()))
     }
 
+    /// Decides the sign of a quotient on the domain, with this much work.
+    pub(super) fn decide(&self, value: Quotient, relation: Relation, units: u64) -> Result<(), Failure> {
+        let sign = Statement::Sign { value, relation, domain: Rc::new(self.of_statements()) };
+        within(units, &mut || decide(sign.clone(), &Vec::new(), 1).map(drop))
+    }
+
     /// The domain of statements.
-    pub(super) fn domain(&self) -> Rc<Domain> {
+    fn of_statements(&self) -> Domain {
         let mut domain = Domain::default();
         for part in &self.parts {
             match part {
@@ -341,7 +347,7 @@ impl Product {
                 }
             }
         }
-        Rc::new(domain)
+        domain
     }
 
     /// `(u, v, w) = (1/3, 1/3, 1/3)`, `x = 1/2` for a single variable.

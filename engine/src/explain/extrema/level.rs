@@ -1,7 +1,5 @@
 //! The points of a domain at which a polynomial is 0: lines, curves, planes and surfaces, and points beside them.
 
-use std::rc::Rc;
-
 use super::domain::{Product, at};
 use super::numbers;
 use super::point::Point;
@@ -13,10 +11,10 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use basis_kernel::{Relation, Statement};
+use basis_kernel::Relation;
+use basis_prover::Failure;
 use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort;
-use basis_prover::{Failure, decide, within};
 
 /// The work for the sign of a factor.
 const WORK: u64 = 1_000_000;
@@ -196,16 +194,12 @@ fn sign(domain: &Product, p: &Poly) -> Sign {
         return Sign::Changes;
     }
     let p = if signs.contains(&-1) { -p } else { p.clone() };
-    let all = domain.domain();
-    let is_so = |relation: Relation| {
-        let sign = Statement::Sign { value: p.clone().into(), relation, domain: Rc::clone(&all) };
-        within(WORK, &mut || decide(sign.clone(), &Vec::new(), 1))
-    };
-    if is_so(Relation::Positive).is_ok() {
+    let decided = |relation: Relation| domain.decide(p.clone().into(), relation, WORK);
+    if decided(Relation::Positive).is_ok() {
         return Sign::Positive;
     }
-    match is_so(Relation::NonNegative) {
-        Ok(_) => Sign::NonNegative,
+    match decided(Relation::NonNegative) {
+        Ok(()) => Sign::NonNegative,
         Err(Failure::Refuted(_)) => Sign::Changes,
         Err(Failure::Undecided(_)) => Sign::Unknown,
     }

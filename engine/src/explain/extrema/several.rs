@@ -14,10 +14,10 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
-use basis_kernel::{Quotient, Relation, Statement};
+use basis_kernel::{Quotient, Relation};
+use basis_prover::Coordinate;
 use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort_by;
-use basis_prover::{Coordinate, decide, within};
 
 /// The steps of the lattice on which a negative value is looked for.
 const STEPS: i64 = 4;
@@ -46,10 +46,7 @@ pub(super) fn of_function(family: &Family, label: &str, f: &Fraction, work: &mut
         let extremum = Extremum { value: value.to_string(), at: Vec::new(), on: vec![everywhere] };
         return Found::Known(Box::new(Extrema::new(label, extremum.clone(), extremum)));
     }
-    let is_so = |relation: Relation, value: Quotient| {
-        let sign = Statement::Sign { value, relation, domain: domain.domain() };
-        within(SIGN, &mut || decide(sign.clone(), &Vec::new(), 1).is_ok())
-    };
+    let is_so = |relation: Relation, value: Quotient| domain.decide(value, relation, SIGN).is_ok();
     if family.domain.len() > MAX_DIMENSION {
         if is_so(Relation::NonNegative, f.quotient()) {
             return Found::Nonnegative;

@@ -3,9 +3,12 @@
 
 use super::form::RationalForm;
 use super::{table, value};
+use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
-use crate::model::Family;
+use crate::algebra::rational::Rational;
 use crate::model::angle::Angle;
+use crate::model::{Family, Parameter};
+use crate::plan::digits::split;
 use crate::plan::{Builder, Input, Let, Node, Plan};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -78,6 +81,36 @@ pub fn numerators(family: &Family, form: &RationalForm) -> Plan {
 /// The Bernstein coefficients of the denominator.
 pub fn denominator(family: &Family, form: &RationalForm) -> Plan {
     table(family, vec![form.denominator.bernstein.mapped(|p| (p, &form.denominator.denom))])
+}
+
+/// A number times a shape parameter, which is given by its position, or the number alone.
+pub(crate) type Term = (Rational, Option<usize>);
+
+/// The terms of the ends of a domain that are sums of multiples of shape parameters, with factors that are floats; `None`
+/// where both ends are floats themselves, or have other terms.
+pub(crate) fn sums(family: &Family, angle: &Angle) -> Option<[Vec<Term>; 2]> {
+    let terms = |end: &Fraction| {
+        let mut all: Vec<Term> = Vec::new();
+        for (monomial, c) in end.as_poly()?.terms() {
+            let is_in = |p: &Parameter| {
+                let itself = family.analytic.angle(p.var).map(|angle| angle.itself);
+                monomial.exponent(p.var) > 0 || itself.is_some_and(|var| monomial.exponent(var) > 0)
+            };
+            let of = match monomial.total_degree() {
+                0 => None,
+                1 => Some(family.shapes.iter().position(is_in)?),
+                _ => return None,
+            };
+            if !split(c, 24).1.is_zero() {
+                return None;
+            }
+            all.push((c.clone(), of));
+        }
+        Some(all)
+    };
+    let all = [terms(&angle.limits[0])?, terms(&angle.limits[1])?];
+    let is_float = |terms: &Vec<Term>| terms.len() < 2 && terms.iter().all(|(c, _)| split(c, 1).1.is_zero());
+    (!all.iter().all(is_float)).then_some(all)
 }
 
 /// The two ends of the domain.
