@@ -85,6 +85,14 @@ fn next_to(mut x: Algebraic) -> Option<Rational> {
 /// The work for a value at a point.
 const EVALUATING: u64 = 5_000_000;
 
+/// The value of a polynomial at a point that has a coordinate for each of its variables; `None` where the work is spent.
+pub fn value_at(poly: &Poly, point: &[(Var, Coordinate)]) -> Option<Coordinate> {
+    let work = &mut Work::new(EVALUATING);
+    let exact = Exact::new(point, work)?;
+    let value = exact.value(poly, work)?;
+    number(exact.field.as_ref(), &value, work)
+}
+
 /// How often the interval of an irrational number is shortened to a sixteenth until the kernel sees all signs.
 const ROUNDS: usize = 40;
 

@@ -24,10 +24,10 @@ pub use budget::{
     working_with,
 };
 pub use coordinate::Coordinate;
-pub use counterexample::{Counterexample, refute};
+pub use counterexample::{Counterexample, refute, value_at};
 pub use decide::{Failure, Shown, decide, minor_signs, pull_back, simple};
 pub use method::Method;
 pub use nonzero::{candidates, typical};
 pub use rank::symmetry::{Symmetries, Symmetry};
 pub use semidefinite::semidefinite;
-pub use zero_free::{ZeroFree, zero_free};
+pub use zero_free::{ZeroFree, zero_between, zero_free};

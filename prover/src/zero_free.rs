@@ -23,7 +23,18 @@ pub enum ZeroFree {
     Undecided(String),
 }
 
-/// Looks for a zero of a polynomial in a box: the box is connected, so that a polynomial without zeros has one sign.
+impl ZeroFree {
+    /// Where the polynomial is zero, if a point is known.
+    pub fn zero(self) -> Option<Vec<(Var, Coordinate)>> {
+        match self {
+            Self::Zero(point) => Some(point),
+            Self::Proved(_) | Self::Undecided(_) => None,
+        }
+    }
+}
+
+/// Looks for a zero of a polynomial in a domain without premises: that is connected, so that a polynomial without zeros
+/// has one sign.
 pub fn zero_free(polynomial: &Poly, domain: &Rc<Domain>, budget: u32) -> ZeroFree {
     let (mut signs, mut open) = (Vec::new(), None);
     for p in [polynomial.clone(), -polynomial] {
@@ -31,7 +42,7 @@ pub fn zero_free(polynomial: &Poly, domain: &Rc<Domain>, budget: u32) -> ZeroFre
         let statement = Statement::Sign { value, relation: Relation::Positive, domain: Rc::clone(domain) };
         match decide(statement, &Vec::new(), budget) {
             Ok(shown) => return ZeroFree::Proved(shown),
-            // Under premises a point of the box need not count; the other sign may be proved.
+            // The other sign may be proved.
             Err(Failure::Undecided(left)) => open = open.or(Some(left)),
             Err(Failure::Refuted(found)) => {
                 if found.refutation.value().is_some_and(Rational::is_zero) {
@@ -45,7 +56,7 @@ pub fn zero_free(polynomial: &Poly, domain: &Rc<Domain>, budget: u32) -> ZeroFre
         return ZeroFree::Undecided(left);
     }
     match &signs[..] {
-        [positive, negative] => between(polynomial, positive, negative, budget),
+        [positive, negative] => zero_between(polynomial, positive, negative, budget),
         _ => ZeroFree::Undecided(String::from(CHANGES)),
     }
 }
@@ -54,7 +65,12 @@ const CHANGES: &str = "the sign of the denominator changes on the declared range
 
 /// A zero between two points at which the signs differ: on the way from one to the other along the axes, which
 /// stays inside the box.
-fn between(polynomial: &Poly, a: &[(Var, Coordinate)], b: &[(Var, Coordinate)], budget: u32) -> ZeroFree {
+pub fn zero_between(
+    polynomial: &Poly,
+    a: &[(Var, Coordinate)],
+    b: &[(Var, Coordinate)],
+    budget: u32,
+) -> ZeroFree {
     let mut at = a.to_vec();
     for k in 0..at.len() {
         let var = at[k].0;

@@ -76,6 +76,8 @@ def claims(r, own):
                          'slope', 'symmetric', 'smooth'] + ['face', 'partial', 'integral', 'swap'] * bool(own.simplices) + ['integral', 'parameters'] * (own.kind == 'related') + ['integral'] * (own.kind in ('poly', 'box', 'spans', 'knots', 'indexed'))
                         + ['at'] * (own.kind == 'indexed'))
         f = r.choice(members)
+        if kind == 'integral' and own.denominator is not None:
+            continue
         if kind == 'order':
             g = r.choice([formula(number(r)), r.choice(members), formula(0)])
             result.append(relation_claim(r, own, f, r.choice(['>=', '>', '>=']), g))

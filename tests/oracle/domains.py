@@ -110,6 +110,7 @@ class Family:
         self.recursive = self.floats = False
         self.simplices = []
         self.spans = None
+        self.denominator = None
         self.orders = [None]
 
     def shape(self, r, most=2):

@@ -96,8 +96,24 @@ def related(r, own):
     for i in range(2):
         f = r.choice(parts) * r.choice(parts) * r.choice(parts)
         own.functions[(i,)] = f + (polynomial(r, ['t', 'k', 'm'], 1, 1) if r.random() < 0.5 else 0)
+    if kind not in ('chain', 'ends') and r.random() < 0.35:
+        own.denominator = away_from_zero(r, own, low, size)
+        own.functions = {i: f / own.denominator for i, f in own.functions.items()}
     if r.random() < 0.3:
         own.functions[(2,)] = formula(1) - Member(own, (0,)) - Member(own, (1,))
+
+
+def away_from_zero(r, own, low, size):
+    """A polynomial that is positive, or nearly so, where the shape parameters are, and mostly not in all of their ranges."""
+    k, m = Name('k'), Name('m')
+    f = formula(0)
+    for part in r.sample([k, m, k * m, k * k, m * m, *[x for _, x in own.conditions]], r.randint(1, 2)):
+        f = f + part * Fraction(r.choice([-2, -1, 1, 1, 2, 3]), r.choice([1, 2]))
+    places = [low + size * Fraction(i, 16) for i in range(17)]
+    inside = [env for env in ({'k': k, 'm': m} for k in places for m in places) if own.fits(env)]
+    least = min((f.eval(env) for env in inside), default=Fraction(0))
+    f = f + (Fraction(r.choice([-10, 0, 1, 10, 10, 50]), 100) - least)
+    return f + Name('t') * r.choice([0, 0, 1]) if r.random() < 0.3 else f
 
 
 def several(r, own, low, size):

@@ -7,6 +7,9 @@ use serde_json::{Map, Value};
 /// The first field of every certificate.
 pub(super) const FORMAT: &str = "basis certificate 2";
 
+/// How the alternatives of an obligation are marked, in their order.
+pub(super) const SIGNS: [Option<&str>; 3] = [None, Some("negative"), Some("square")];
+
 /// What the claims are about.
 pub(super) fn subject(subject: &Subject) -> Map<String, Value> {
     let order: Map<String, Value> =

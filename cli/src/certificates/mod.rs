@@ -8,8 +8,10 @@
 //! format       "basis certificate 2"
 //! spec         the path of the spec as it was given
 //! kind, name, order, variables     the family; variables are x0, x1, … in proofs
-//! obligations  what must be true for the formulas to mean something; for each: of, proof, and `negative` where a
-//!              denominator is negative everywhere
+//! obligations  what must be true for the formulas to mean something; for each: of, `negative` where a denominator is
+//!              negative everywhere, `square` where its square is positive where what is assumed holds, and
+//!   proof      unless computing is enough; or where it follows from what is assumed
+//!   way        the number of the way to statements that are enough; steps: their number; proofs: as of claims
 //! claims       for each: claim, line, declared, and
 //!   proved     steps: the number of statements that the claim makes; proofs: those of them that need more than
 //!              computing, by their places

@@ -57,6 +57,25 @@ family Open {
     prove (λ^2 + μ^2 - 1/4)^2 + (λ - 2*μ)^2*t + 1/1000 > 0;
     prove at t = 1 { (2*λ^2 - 1)^2 + (3*μ^2 - 1)^2 + (λ - μ)^2 > 0; }
 }
+family Denominators {
+    domain 0 <= t <= 1;
+    shape λ, μ;
+    assume λ*μ >= 1;
+    b[0] = (1 - t)/(λ*μ - 1/2);
+    b[1] = t/λ;
+    prove b[0] >= 0;
+    refute b[1] >= 0;
+}
+family Disk {
+    domain 0 <= t <= 1;
+    shape λ, μ;
+    assume λ^2 + μ^2 <= 1;
+    b[0] = (1 - t)/(λ + μ - 3/2);
+    b[1] = t/(2 - λ);
+    refute b[0] >= 0;
+    prove b[1] >= 0;
+    prove independent;
+}
 family Line {
     domain 0 <= t <= 1;
     shape 0 <= λ <= 2;

@@ -11,14 +11,14 @@ use basis_engine::algebra::rational::{self, Rational};
 use basis_engine::algebra::work::Work;
 use basis_engine::claim::Expected;
 use basis_engine::model::obligation::Obligation;
-use basis_engine::state::{self, Stated as Statements};
+use basis_engine::state;
 use basis_engine::{Claim, Sources, Subject};
 use basis_kernel::{Certificate, Proof, Refutation, Statement, Witness, text as kernel};
 use serde::Serialize;
 use serde_json::Value;
 
 use super::fields::{Fields, list, text as word};
-use super::head::{self, FORMAT};
+use super::head::{self, FORMAT, SIGNS};
 use super::manifest;
 use super::specs::{Specs, Stated};
 use crate::args::{Format, VerifyArguments};
@@ -231,16 +231,42 @@ fn obligation(value: &Value, known: &Obligation, budget: u32) -> Result<(), Stri
     if fields.text("of")? != known.of {
         return Err(String::from("this is not what the spec needs"));
     }
-    let negative = match fields.take_if_any("negative") {
-        None => false,
-        Some(Value::Bool(true)) => true,
-        Some(_) => return Err(String::from("`negative` is either `true` or absent")),
+    let alternative = alternative(&mut fields)?;
+    let way = match fields.take_if_any("way") {
+        None => None,
+        Some(way) => {
+            let way = way.as_u64().and_then(|way| usize::try_from(way).ok());
+            Some(way.ok_or("`way` is not a number")?)
+        }
     };
-    let proof = fields.take_if_any("proof");
-    fields.end()?;
-    let alternative = known.goal.alternatives().into_iter().nth(usize::from(negative));
-    let statement = alternative.ok_or("it cannot be negative")?;
-    shown(statement, proof, budget)
+    let statements = state::ground_statements(&known.goal, alternative, way);
+    let statements = statements.ok_or("nothing that is enough for it is known by that sign and way")?;
+    if way.is_none() {
+        let proof = fields.take_if_any("proof");
+        fields.end()?;
+        return statements.into_iter().try_for_each(|statement| shown(statement, proof, budget));
+    }
+    if fields.take("steps")?.as_u64() != Some(statements.len() as u64) {
+        return Err(format!("the way leads to {}", count(statements.len(), "statement")));
+    }
+    let named = statements.into_iter().map(|statement| (known.of.clone(), statement));
+    proofs(named, fields.take_if_any("proofs"), budget)?;
+    fields.end()
+}
+
+/// Which of the alternatives of a goal is proved.
+fn alternative(fields: &mut Fields<'_>) -> Result<usize, String> {
+    let mut found = 0;
+    for (k, sign) in SIGNS.iter().enumerate() {
+        let Some((sign, value)) = sign.and_then(|sign| Some((sign, fields.take_if_any(sign)?))) else {
+            continue;
+        };
+        if *value != Value::Bool(true) || found > 0 {
+            return Err(format!("`{sign}` is either `true`, alone, or absent"));
+        }
+        found = k;
+    }
+    Ok(found)
 }
 
 /// Has the kernel check a proof; without one, whether computing is enough.
@@ -279,7 +305,8 @@ pub(super) fn claim(
         if steps.as_u64() != Some(statements.len() as u64) {
             return Err(format!("the claim makes {}", count(statements.len(), "statement")));
         }
-        proofs(statements, fields.take_if_any("proofs"), subject.budget())?;
+        let named = statements.into_iter().map(|stated| (stated.of, stated.statement));
+        proofs(named, fields.take_if_any("proofs"), subject.budget())?;
         fields.end()?;
         return declared(claim, Expected::True);
     }
@@ -345,8 +372,12 @@ fn declared(claim: &Claim, found: Expected) -> Result<(), String> {
     }
 }
 
-/// Checks the statements of a claim with the proofs that are written, by their places.
-fn proofs(statements: Vec<Statements>, written: Option<&Value>, budget: u32) -> Result<(), String> {
+/// Checks statements, each with what it is about, with the proofs that are written, by their places.
+fn proofs(
+    statements: impl Iterator<Item = (String, Statement)>,
+    written: Option<&Value>,
+    budget: u32,
+) -> Result<(), String> {
     let mut fields = match written {
         None => None,
         Some(Value::Object(object)) if object.is_empty() => {
@@ -354,7 +385,7 @@ fn proofs(statements: Vec<Statements>, written: Option<&Value>, budget: u32) -> 
         }
         Some(written) => Some(Fields::of(written)?),
     };
-    for (place, Statements { of, statement, .. }) in statements.into_iter().enumerate() {
+    for (place, (of, statement)) in statements.enumerate() {
         let proof = fields.as_mut().and_then(|f| f.take_if_any(&place.to_string()));
         shown(statement, proof, budget).map_err(|e| format!("`{of}`: {e}"))?;
     }

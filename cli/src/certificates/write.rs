@@ -10,7 +10,7 @@ use basis_engine::{Diagnostic, Subject, Verdict};
 use basis_kernel::{Certificate, Proof, text};
 use serde_json::{Map, Value};
 
-use super::head::{FORMAT, claim as head, subject};
+use super::head::{FORMAT, SIGNS, claim as head, subject};
 use crate::check::prove::{Decided, DecidedClaim, Outcome};
 use crate::output::error;
 
@@ -73,15 +73,27 @@ fn proof(proof: &Proof) -> Option<Value> {
     }
 }
 
+/// Those of some proofs that do not only compute, by their places; nothing if there are none.
+fn proofs<'p>(all: impl Iterator<Item = &'p Proof>) -> Option<(String, Value)> {
+    let written: Map<String, Value> =
+        all.enumerate().filter_map(|(k, step)| Some((k.to_string(), proof(step)?))).collect();
+    (!written.is_empty()).then(|| (String::from("proofs"), Value::Object(written)))
+}
+
 fn obligation(obligation: &Obligation) -> Value {
     let mut fields = Map::new();
     fields.insert(String::from("of"), Value::from(obligation.of.clone()));
-    if let Some(known) = &obligation.proof {
-        let alternatives = obligation.goal.alternatives();
-        if alternatives.iter().position(|s| s == known.statement()) == Some(1) {
-            fields.insert(String::from("negative"), Value::from(true));
+    let Some(ground) = &obligation.ground else { return Value::Object(fields) };
+    if let Some(sign) = SIGNS[ground.alternative] {
+        fields.insert(String::from(sign), Value::from(true));
+    }
+    match (ground.way, &ground.proofs[..]) {
+        (None, [known]) => fields.extend(proof(known).map(|text| (String::from("proof"), text))),
+        (way, all) => {
+            fields.extend(way.map(|way| (String::from("way"), Value::from(way))));
+            fields.insert(String::from("steps"), Value::from(all.len()));
+            fields.extend(proofs(all.iter()));
         }
-        fields.extend(proof(known).map(|text| (String::from("proof"), text)));
     }
     Value::Object(fields)
 }
@@ -95,12 +107,7 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Value {
             if evidence.ways().iter().any(|way| *way > 0) {
                 put("ways", Value::from(evidence.ways()));
             }
-            let proofs = evidence.steps().iter().enumerate();
-            let proofs: Map<String, Value> =
-                proofs.filter_map(|(k, (_, step))| Some((k.to_string(), proof(step)?))).collect();
-            if !proofs.is_empty() {
-                put("proofs", Value::Object(proofs));
-            }
+            fields.extend(proofs(evidence.steps().iter().map(|(_, step)| step)));
         }
         Verdict::Refuted(witness) => {
             put("of", Value::from(witness.of_statement()));

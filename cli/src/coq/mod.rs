@@ -258,7 +258,7 @@ impl Text {
         let mut this = Self::named(outcome, decided, family, formulas);
         let (definitions, names) = (this.definitions.clone(), this.names.clone());
         let all = family.obligations.iter().chain(&decided.obligations);
-        let obligations: Vec<&Proof> = all.filter_map(|o| o.proof.as_ref()).collect();
+        let obligations: Vec<&Proof> = all.filter_map(|o| o.proof()).collect();
         let subject = angles::Angular {
             family,
             formulas,
@@ -313,7 +313,7 @@ impl Text {
         for (k, definition) in formulas.definitions.iter().enumerate() {
             this.define(k, definition);
         }
-        let obligations: Vec<&Proof> = decided.obligations.iter().filter_map(|o| o.proof.as_ref()).collect();
+        let obligations: Vec<&Proof> = decided.obligations.iter().filter_map(|o| o.proof()).collect();
         let definitions = this.definitions.clone();
         let about = points::About::new(theorem, formulas, &definitions, &obligations, &mut this.identifiers);
         let mut missing = Vec::new();
@@ -391,7 +391,7 @@ impl Text {
         formulas: &Formulas,
     ) -> Missing {
         let all = family.obligations.iter().chain(&decided.obligations);
-        let obligations: Vec<&Proof> = all.filter_map(|o| o.proof.as_ref()).collect();
+        let obligations: Vec<&Proof> = all.filter_map(|o| o.proof()).collect();
         let mut missing = Vec::new();
         for (k, (decided, claimed)) in decided.claims.iter().zip(&formulas.claims).enumerate() {
             let name = self.identifiers.give(&format!("claim_{}_{}", k + 1, kind(decided)));

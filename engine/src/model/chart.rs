@@ -6,7 +6,7 @@
 //! parameters before it, so that parameters are eliminated from the last to the first (Fourier and Motzkin).
 
 use basis_kernel::{Domain, Relation};
-use basis_prover::Coordinate;
+use basis_prover::{Coordinate, value_at};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
@@ -95,8 +95,10 @@ impl Piece {
                 Some(x) => p.at(v, &x),
                 None => p,
             };
-            let value = by.variables().into_iter().fold(by.clone(), put);
-            image.extend(value.as_constant().map(|x| (*var, Coordinate::Rational(x))));
+            let value = by.variables().into_iter().fold(by.clone(), put).as_constant();
+            let value = value.map(Coordinate::Rational);
+            let value = value.or_else(|| value_at(&self.pull_back(&Poly::var(*var))?, point));
+            image.extend(value.map(|x| (*var, x)));
         }
         image
     }

@@ -2,6 +2,7 @@
 
 use basis_kernel::{Domain, Proof, Quotient, Relation, Statement};
 use basis_prover::Coordinate;
+use basis_prover::collections::list::Listed as _;
 
 use crate::algebra::poly::{Poly, Var};
 
@@ -13,13 +14,41 @@ pub struct Obligation {
     /// Statements of which one has to be true.
     pub goal: Goal,
     /// Why one of them is; `None` only where somebody else checks it.
-    pub proof: Option<Proof>,
+    pub ground: Option<Ground>,
+}
+
+/// Why one of the statements of a goal is true.
+#[derive(Clone, Debug)]
+pub struct Ground {
+    /// Its number among the [alternatives](Goal::alternatives).
+    pub alternative: usize,
+    /// The number of the way from it to statements that are enough for it where what is assumed holds; none if the statement itself
+    /// is proved.
+    pub way: Option<usize>,
+    /// Proofs of these statements.
+    pub proofs: Vec<Proof>,
+}
+
+impl Ground {
+    /// A proof of an alternative itself.
+    pub fn alone(alternative: usize, proof: Proof) -> Self {
+        Self { alternative, way: None, proofs: vec![proof] }
+    }
+}
+
+impl Obligation {
+    /// The proof of one of the alternatives itself, which says nothing of what is assumed.
+    pub fn proof(&self) -> Option<&Proof> {
+        let ground = self.ground.as_ref().filter(|ground| ground.way.is_none())?;
+        ground.proofs.first()
+    }
 }
 
 /// What has to be shown.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Goal {
-    /// A polynomial vanishes nowhere: on a connected domain it, or its negative, is positive.
+    /// A polynomial vanishes nowhere: it, or its negative, is positive, as on a connected domain one of them has to be; under
+    /// assumptions, which may leave several parts of a domain, it is enough that its square is.
     Nonzero(Poly, std::rc::Rc<Domain>),
     /// A statement.
     Holds(Statement),
@@ -30,13 +59,15 @@ impl Goal {
     pub fn alternatives(&self) -> Vec<Statement> {
         match self {
             Self::Holds(statement) => vec![statement.clone()],
-            Self::Nonzero(p, domain) => [p.clone(), -p]
-                .map(|p| Statement::Sign {
+            Self::Nonzero(p, domain) => {
+                let square = (!domain.premises.is_empty()).then(|| p * p);
+                let positive = |p: Poly| Statement::Sign {
                     value: Quotient::from(p),
                     relation: Relation::Positive,
                     domain: std::rc::Rc::clone(domain),
-                })
-                .to_vec(),
+                };
+                [p.clone(), -p].into_iter().chain(square).map(positive).listed()
+            }
         }
     }
 }
@@ -57,7 +88,7 @@ pub trait Judge {
     ///
     /// # Errors
     /// The goal is false, or undecided.
-    fn judge(&self, goal: &Goal, budget: u32) -> Result<Option<Proof>, Open>;
+    fn judge(&self, goal: &Goal, budget: u32) -> Result<Option<Ground>, Open>;
 }
 
 /// Takes everything for true: for reading a spec whose obligations are checked later, by certificates.
@@ -65,7 +96,7 @@ pub trait Judge {
 pub struct Later;
 
 impl Judge for Later {
-    fn judge(&self, _: &Goal, _: u32) -> Result<Option<Proof>, Open> {
+    fn judge(&self, _: &Goal, _: u32) -> Result<Option<Ground>, Open> {
         Ok(None)
     }
 }

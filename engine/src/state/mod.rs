@@ -23,7 +23,7 @@ pub use family::{Table, statements as family_statements, table};
 pub(crate) use family::{combination_text, moves};
 #[cfg(any(test, feature = "rounding"))]
 pub use family::{point_error, point_name, value_errors};
-pub use judge::Prover;
+pub use judge::{Prover, ground_statements};
 pub use parts::{FEW, Part, Standing, parts};
 pub use report::diagnose;
 pub use run::Run;

@@ -104,8 +104,8 @@ impl Scope<'_> {
     /// Has a goal decided, if it can be said; what the error is about if it does not hold.
     pub(super) fn judge(&mut self, of: String, goal: Option<Goal>, budget: u32) -> Result<(), Open> {
         let goal = goal.ok_or_else(|| Open::Undecided(String::from(TOO_LONG)))?;
-        let proof = self.library.judge().judge(&goal, budget)?;
-        self.inherit(&[Obligation { of, goal, proof }]);
+        let ground = self.library.judge().judge(&goal, budget)?;
+        self.inherit(&[Obligation { of, goal, ground }]);
         Ok(())
     }
 

@@ -131,13 +131,9 @@ pub(crate) fn parts(
 fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
     let domain = Rc::new(basis_kernel::Domain::of(Region { ranges: piece.ranges.clone() }));
     piece.premises.iter().any(|(p, relation)| {
-        let other = match relation {
-            Relation::NonNegative => Relation::Positive,
-            Relation::Positive => Relation::NonNegative,
-        };
         let Some(p) = piece.pull_back(p) else { return false };
-        let value = basis_kernel::Quotient::from(-&p);
-        let never = Goal::Holds(Proposition::Sign { value, relation: other, domain: Rc::clone(&domain) });
+        let (value, relation) = (basis_kernel::Quotient::from(-&p), relation.of_negative());
+        let never = Goal::Holds(Proposition::Sign { value, relation, domain: Rc::clone(&domain) });
         // Where proofs are checked later, nothing is known.
         matches!(scope.library.judge().judge(&never, 1), Ok(Some(_)))
     })

@@ -20,20 +20,21 @@ mod multiple;
 mod narrower;
 mod points;
 mod positive;
+mod quotients;
 mod search;
 mod touching;
 
 use basis_kernel::{Domain, Quotient, Relation, Statement};
 use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort;
-use basis_prover::within;
+use basis_prover::{Proof, Symmetries, decide, within};
 use std::rc::Rc;
 
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-pub(super) use points::inside;
+pub(in crate::state) use points::inside;
 use points::{ranges, sample, values};
 pub(super) use positive::Positive;
 pub(in crate::state) use search::counterexample;
@@ -51,7 +52,7 @@ const TRIED: u64 = 4_000_000;
 const AWAY: usize = 100;
 
 /// Whether a statement about a sign has premises: then the way away from them has a number.
-fn is_assumed(statement: &Statement) -> bool {
+pub(in crate::state) fn is_assumed(statement: &Statement) -> bool {
     matches!(statement, Statement::Sign { domain, .. } if !domain.premises.is_empty())
 }
 
@@ -65,14 +66,13 @@ pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>>
 }
 
 /// The same by the way with a number.
-fn by(statement: &Statement, way: usize) -> Option<Vec<Statement>> {
+pub(in crate::state) fn by(statement: &Statement, way: usize) -> Option<Vec<Statement>> {
     let mut found = None;
     ways(statement, &mut |number, enough| {
-        let is_it = number == way;
-        if is_it {
+        if number == way {
             found = Some(enough);
         }
-        is_it
+        number >= way
     });
     found
 }
@@ -103,14 +103,16 @@ pub(in crate::state) fn by_next(
 
 /// The same by the first way that leads to a proof, of which the number is noted; where none does, by the first of all.
 pub(in crate::state) fn tried(statement: &Statement, noted: &mut Vec<usize>) -> Option<Vec<Statement>> {
-    let is_proved = |s: &Statement| basis_prover::decide(s.clone(), &Vec::new(), 1).is_ok();
+    let is_proved = |s: &Statement| decide(s.clone(), &Symmetries::new(), 1).is_ok();
     let (mut first, mut found) = (None, None);
     ways(statement, &mut |number, enough| {
         if within(TRIED, &mut || enough.iter().all(is_proved)) {
             found = Some((number, enough));
             return true;
         }
-        first.get_or_insert(enough);
+        if number == 0 {
+            first = Some(enough);
+        }
         number == MAX_TRIED
     });
     if is_assumed(statement) {
@@ -119,7 +121,21 @@ pub(in crate::state) fn tried(statement: &Statement, noted: &mut Vec<usize>) -> 
     found.map_or(first, |(_, enough)| Some(enough))
 }
 
-/// Statements that are enough, by one way after the other, each with its number, until one will do.
+/// The first way that leads to proofs, with these.
+pub(in crate::state) fn proved(statement: &Statement, budget: u32) -> Option<(usize, Vec<Proof>)> {
+    let mut found = None;
+    ways(statement, &mut |number, enough| {
+        let proof =
+            |s: &Statement| decide(s.clone(), &Symmetries::new(), budget).ok().map(|shown| shown.proof);
+        let proofs = within(TRIED, &mut || enough.iter().map(proof).collect::<Option<Vec<Proof>>>());
+        found = proofs.map(|proofs| (number, proofs));
+        found.is_some() || number == MAX_TRIED
+    });
+    found
+}
+
+/// Statements that are enough, by one way after the other, each with its number, until one will do. They are numbered from 1 on
+/// where the statement itself, without its premises, seems to be true.
 fn ways(statement: &Statement, accept: &mut dyn FnMut(usize, Vec<Statement>) -> bool) -> Option<()> {
     let Statement::Sign { value, relation, domain } = statement else { return None };
     if !is_assumed(statement) {
@@ -127,11 +143,11 @@ fn ways(statement: &Statement, accept: &mut dyn FnMut(usize, Vec<Statement>) -> 
     }
     let sign = Sign { value: Positive::of(domain).reduced(value), relation: *relation, domain };
     let seen = Seen::new(&sign.value, domain)?;
-    // Without a value of the wrong sign the box alone may be enough.
-    if !seen.fails(sign.relation) && sign.value == *value {
+    if seen.refutes(sign.relation, domain) {
         return None;
     }
-    let mut next = 0;
+    // Without a value of the wrong sign the box alone may be enough.
+    let mut next = usize::from(!seen.fails(sign.relation) && sign.value == *value);
     sign.enough(&seen, domain.premises.len() + 1, &mut |enough| {
         next += 1;
         accept(next - 1, enough)
@@ -173,6 +189,13 @@ impl Seen {
     fn fails(&self, relation: Relation) -> bool {
         self.values.iter().flatten().any(|value| !relation.holds(value))
     }
+
+    /// Whether a value does not have a sign where the premises of a domain hold: then no way leads to a proof.
+    fn refutes(&self, relation: Relation, domain: &Domain) -> bool {
+        let counts = |point: &[Rational]| domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point)));
+        let mut all = self.points.iter().zip(&self.values);
+        all.any(|(point, value)| value.as_ref().is_some_and(|x| !relation.holds(x)) && counts(point))
+    }
 }
 
 impl Sign<'_> {
@@ -190,12 +213,15 @@ impl Sign<'_> {
         let mut found = |way: Option<Vec<Statement>>| way.is_some_and(&mut *accept);
         // A factor alone, of which from a few points little can be seen where a range has no end.
         let alone = self.value.numerator.len() == 1 && self.is_unbounded();
-        self.divided(depth, true, &mut |all| found(Some(all)))
+        self.above_and_below(depth, true, &mut |all| found(Some(all)))
+            || self.divided(depth, true, &mut |all| found(Some(all)))
+            || found(self.by_zeros())
             || found(self.at_irrational_ends())
             || self.divided(depth, false, &mut |all| found(Some(all)))
             || alone && self.multiplied(depth, &mut |all| found(Some(all)))
             || found(self.by_factors())
             || self.by_number(seen, None, &mut |all| found(Some(all)))
+            || self.above_and_below(depth, false, &mut |all| found(Some(all)))
             || self.squared(&mut |all| found(Some(all)))
             || found(self.narrowed())
             || self.bounded(depth, &mut |all| found(Some(all)))
@@ -398,16 +424,7 @@ impl Sign<'_> {
                 Quotient { numerator: numerator.clone(), denominator: self.value.denominator.clone() };
             let sign = Sign { value, relation, domain: self.domain };
             let Some(seen) = Seen::new(&sign.value, self.domain) else { return false };
-            let mut fails = seen
-                .points
-                .iter()
-                .zip(&seen.values)
-                .filter(|(_, value)| value.as_ref().is_some_and(Rational::is_negative));
-            if fails.any(|(point, _)| self.domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point))))
-            {
-                return false;
-            }
-            sign.enough(&seen, depth, accept)
+            !seen.refutes(Relation::NonNegative, self.domain) && sign.enough(&seen, depth, accept)
         };
         self.domain.premises.iter().any(|(g, premise)| {
             let Some((q, r)) = divided(&self.value.numerator, g) else { return false };

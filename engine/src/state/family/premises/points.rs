@@ -16,7 +16,7 @@ const MAX_POINTS: usize = 800;
 const MAX_TERMS: usize = 400;
 
 /// A point, by variable, far inside of what premises leave of a box, among those at which a polynomial is looked at.
-pub(in crate::state::family) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<Rational>> {
+pub(in crate::state) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<Rational>> {
     let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
     let counts = |point: &Vec<Rational>| domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point)));
     sample(&p.clone().into(), domain)?.into_iter().filter(counts).max_by_key(room)
