@@ -102,7 +102,7 @@ def claims(r, own):
             known = [decided(own, '>=', m) for m in members]
             truth = False if False in known else None if None in known else True
             result.append(Claim('nonnegative', [('>=', m, {}) for m in members], truth))
-        elif kind == 'independent' and not own.simplices and own.kind not in ('box', 'related', 'knots', 'indexed', 'segments'):
+        elif kind == 'independent' and not own.simplices and own.kind not in ('box', 'knots', 'indexed', 'segments'):
             result.append(Independent(own))
         elif kind == 'slope' and len(own.domain) == 1:
             d = Derivative(f, 't')

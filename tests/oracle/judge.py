@@ -227,7 +227,7 @@ def main():
                     print(f'WRONG: {problem}\n{own.spec}')
                 continue
             answers = item['claims']
-            if own.denominator is not None:
+            if getattr(own, 'denominator', None) is not None:
                 problem = vanishing(own, r)
                 if problem:
                     wrong += 1

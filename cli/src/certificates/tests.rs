@@ -75,6 +75,8 @@ family Disk {
     refute b[0] >= 0;
     prove b[1] >= 0;
     prove independent;
+    refute independent except (λ = 0, μ = 1);
+    refute independent except λ = 0;
 }
 family Line {
     domain 0 <= t <= 1;

@@ -1,6 +1,8 @@
 //! Specs and what is said of them: verdicts on claims, messages, names of the library.
 
 mod assumed;
+mod assumed_denominators;
+mod assumed_exceptions;
 mod beside;
 mod chebyshev;
 mod ends_at_sums;

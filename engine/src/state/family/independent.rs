@@ -191,9 +191,9 @@ pub(super) const BY_SQUARES: [Squares; 3] = [Squares::Factors, Squares::Product,
 const MAX_SQUARES: usize = 6;
 
 /// Independence as an inequality: det(A·Aᵀ), the sum of the squares of the maximal minors of the table A, is > 0 where
-/// what is assumed holds. Where that is no part of a box it may decide what the table on the whole box does not. `None`
-/// for many functions, and for variables beside their sines.
-pub(super) fn by_squares(family: &Family, of: Squares) -> Option<Vec<Said>> {
+/// what is assumed holds and no exception is, and 0 at the exceptions. Where what is assumed is no part of a box it may decide what
+/// the table on the whole box does not. `None` for many functions, and for variables beside their sines.
+pub(super) fn by_squares(family: &Family, except: &[Values], of: Squares) -> Option<Vec<Said>> {
     let Table { rows, .. } = table(family);
     let wide = |v: Var| {
         family.analytic.numbers().contains(&v)
@@ -202,11 +202,12 @@ pub(super) fn by_squares(family: &Family, of: Squares) -> Option<Vec<Said>> {
     if rows.len() > MAX_SQUARES || rows.iter().flatten().flat_map(Poly::variables).any(wide) {
         return None;
     }
-    let pieces = family.pieces(&[], &[], true);
+    let first = except.iter().flatten().map(|(var, _)| *var).listed();
+    let pieces = family.pieces(&[], &first, true);
     let mut all = Vec::new();
     for (number, piece) in pieces.iter().enumerate() {
         let row = |row: &Vec<Poly>| row.iter().map(|p| piece.pull_back(p)).collect::<Option<Vec<Poly>>>();
-        let domain = Rc::new(piece.domain());
+        let domain = piece.domain();
         let rows = Positive::of(&domain).of_rows(rows.iter().map(row).collect::<Option<Vec<_>>>()?);
         let value = basis_prover::working(family.budget, &mut |work| {
             let mut gram = vec![Vec::new(); rows.len()];
@@ -222,12 +223,25 @@ pub(super) fn by_squares(family: &Family, of: Squares) -> Option<Vec<Said>> {
             }
             determinant(gram, work)
         })?;
+        let value = value.as_poly()?.clone();
+        let mut away = domain.clone();
+        for values in except {
+            let own = match &pulled_back(values, piece)?[..] {
+                [] => continue,
+                [own] => own.clone(),
+                _ => return None,
+            };
+            away.premises.push((squared_distance(&own), Relation::Positive));
+            let (of, statement) = (at_exception(family, values), dependent_at(&value, &domain, &own));
+            let stated = Stated::new(super::on_part(&of, number, pieces.len()), statement);
+            all.push(Said { stated, of, piece: piece.clone() });
+        }
+        let domain = Rc::new(away);
         let sign = |value: Poly| Statement::Sign {
             value: value.into(),
             relation: Relation::Positive,
             domain: Rc::clone(&domain),
         };
-        let value = value.as_poly()?.clone();
         let factors = if of == Squares::Plain { None } else { nonzero_factors(&value, &domain) };
         let parts = match (of, factors) {
             (Squares::Factors, Some(factors)) => factors,
@@ -244,6 +258,37 @@ pub(super) fn by_squares(family: &Family, of: Squares) -> Option<Vec<Said>> {
         }
     }
     Some(all)
+}
+
+/// What is evaluated at an exception, where it has to be 0.
+fn at_exception(family: &Family, values: &Values) -> String {
+    format!("{SQUARES} at {}", exception_text(family, values))
+}
+
+/// An exception as it is written, `p = 1`, of several values with brackets.
+fn exception_text(family: &Family, values: &[(Var, Rational)]) -> String {
+    let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
+    match &parts[..] {
+        [only] => only.clone(),
+        several => format!("({})", several.join(", ")),
+    }
+}
+
+/// The square of the distance from values of some variables, which is positive at all other points.
+fn squared_distance(values: &Values) -> Poly {
+    let square = |(v, x): &(Var, Rational)| (&Poly::var(*v) - &Poly::constant(x.clone())).pow(2);
+    values.iter().map(square).fold(Poly::zero(), |sum, square| &sum + &square)
+}
+
+/// That a polynomial is 0 at all points of a domain that have some values.
+fn dependent_at(p: &Poly, domain: &Domain, values: &Values) -> Statement {
+    let at = |p: &Poly| values.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
+    let mut domain = domain.clone();
+    domain.region.ranges.retain(|(var, _)| values.iter().all(|(v, _)| v != var));
+    for (premise, _) in &mut domain.premises {
+        *premise = at(premise);
+    }
+    Statement::Zero { value: at(p).into(), domain: Rc::new(domain) }
 }
 
 /// The factors of a polynomial, each with the sign that makes it positive at some point that counts; `None` of a number, 0
@@ -416,9 +461,11 @@ pub(super) fn witness(
     found: &Counterexample,
     piece: &Piece,
 ) -> Witness {
-    let at = named_point(family, found, &[], piece);
+    let own = except.iter().find(|values| label == at_exception(family, values));
+    let own_values = own.into_iter().flatten().map(|(v, x)| (*v, Fraction::constant(x.clone()))).listed();
+    let at = named_point(family, found, &own_values, piece);
     let refutation = found.refutation.clone();
-    let point: Vec<(Var, Coordinate)> = if piece.steps.is_empty() {
+    let point: Vec<(Var, Coordinate)> = if piece.steps.is_empty() && own.is_none() {
         found.point.clone()
     } else {
         let own =
@@ -449,23 +496,7 @@ pub(super) fn witness(
                 found
             });
             let values = own.map(Vec::as_slice).unwrap_or_default();
-            let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
-            let exception = match &parts[..] {
-                [only] => only.clone(),
-                several => format!("({})", several.join(", ")),
-            };
-            let mut note = format!("the functions are independent{here}, so {exception} is no exception");
-            // `except α = -3, β = 0` is two exceptions.
-            let single =
-                |values: &Vec<(Var, Rational)>| if let [(var, _)] = values[..] { Some(var) } else { None };
-            if let [first, others @ ..] = except
-                && others.iter().any(|other| single(other) != single(first))
-                && except.iter().all(|values| single(values).is_some())
-            {
-                let all =
-                    except.iter().flatten().map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
-                note = format!("{note}; one that needs all of these values is `except ({})`", all.join(", "));
-            }
+            let note = no_exception(family, except, values, &here);
             (String::from(SQUARES), squares(found), note)
         }
         (basis_kernel::Witness::Dependent(_, factors), Some(rational)) => {
@@ -487,19 +518,42 @@ pub(super) fn witness(
             let note = format!("`{of}` vanishes identically{here}");
             (of, Rational::ZERO, note)
         }
-        _ => {
-            let note = format!("the functions are linearly dependent{here}");
-            (String::from(SQUARES), Rational::ZERO, note)
-        }
+        _ => match own {
+            Some(values) => {
+                let note = no_exception(family, except, values, &here);
+                let value = found.value().map_or(Rational::ZERO, |(value, _)| value);
+                (String::from(SQUARES), value, note)
+            }
+            None => {
+                let note = format!("the functions are linearly dependent{here}");
+                (String::from(SQUARES), Rational::ZERO, note)
+            }
+        },
     };
     let stated = match found.refutation.statement() {
-        Statement::Sign { .. } => SQUARES,
+        Statement::Sign { .. } | Statement::Zero { .. } => label,
         _ => APART.into_iter().find(|own| *own == label).unwrap_or(COEFFICIENTS),
     };
     let mut witness = Witness::new(of, at, value, refutation).about(stated);
     witness.idle = domain_names(family);
     witness.notes = vec![note];
     witness
+}
+
+/// Why an exception is none.
+fn no_exception(family: &Family, except: &[Values], values: &[(Var, Rational)], here: &str) -> String {
+    let exception = exception_text(family, values);
+    let note = format!("the functions are independent{here}, so {exception} is no exception");
+    // `except α = -3, β = 0` is two exceptions.
+    let single = |values: &Values| if let [(var, _)] = values[..] { Some(var) } else { None };
+    if let [first, others @ ..] = except
+        && others.iter().any(|other| single(other) != single(first))
+        && except.iter().all(|values| single(values).is_some())
+    {
+        let all = except.iter().flatten().map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
+        return format!("{note}; one that needs all of these values is `except ({})`", all.join(", "));
+    }
+    note
 }
 
 /// The combination of functions that one of them and their multiples by the powers of a number is.

@@ -23,7 +23,7 @@ use basis_prover::{Coordinate, Failure, Method, Shown};
 use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
-use basis_kernel::Statement;
+use basis_kernel::{Statement, Values};
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
@@ -140,10 +140,10 @@ fn statements_by<'w>(
 /// The statements of a claim one of which may be false: of independence only those whose points all count.
 pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     let mut all = said(family, claim, &mut Saying::Plainly)?;
-    if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty())
+    if let ClaimKind::Independent(except) = &claim.kind
         && all.iter().any(|said| !said.piece.is_exact())
     {
-        all.extend(independent::by_squares(family, Squares::Plain).unwrap_or_default());
+        all.extend(independent::by_squares(family, except, Squares::Plain).unwrap_or_default());
     }
     if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty()) {
         all.extend(independent::apart(family));
@@ -176,7 +176,7 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
             && let Some(way) = ways.next()
         {
             return match way.checked_sub(1).and_then(|k| independent::BY_SQUARES.get(k)) {
-                Some(of) => independent::by_squares(family, *of),
+                Some(of) => independent::by_squares(family, except, *of),
                 None => independent::said(&beside::wider(family)?, except),
             };
         }
@@ -403,8 +403,8 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         if let Ok(shown) = all(stated, family.budget) {
             return proved(family, claim, shown, ways);
         }
-        if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty())
-            && let Some(verdict) = decided_by_squares(family, claim)
+        if let ClaimKind::Independent(except) = &claim.kind
+            && let Some(verdict) = decided_by_squares(family, claim, except)
         {
             return verdict;
         }
@@ -484,10 +484,11 @@ fn proved_by_later_ways(family: &Family, claim: &Claim) -> Option<Verdict> {
 }
 
 /// Whether functions are independent where what is assumed holds, by one inequality.
-fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
+fn decided_by_squares(family: &Family, claim: &Claim, except: &[Values]) -> Option<Verdict> {
     let mut tried = Vec::new();
     for (of, way) in independent::BY_SQUARES.into_iter().zip(1..) {
-        let enough = independent::by_squares(family, of)?.into_iter().map(|said| said.stated).listed();
+        let enough =
+            independent::by_squares(family, except, of)?.into_iter().map(|said| said.stated).listed();
         let statements = enough.iter().map(|stated| stated.statement.clone()).listed();
         if core::mem::replace(&mut tried, statements.clone()) == statements {
             continue;
@@ -496,7 +497,7 @@ fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
             return Some(proved(family, claim, shown, vec![way]));
         }
     }
-    let plain = independent::by_squares(family, Squares::Plain)?;
+    let plain = independent::by_squares(family, except, Squares::Plain)?;
     refuted_under_premises(family, claim, &plain.iter().listed())
 }
 

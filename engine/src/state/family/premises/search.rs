@@ -32,6 +32,9 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     if domain.premises.is_empty() {
         return None;
     }
+    if all_ranges(value, domain).is_empty() {
+        return refute(&Rc::new(statement.clone()), &[], work);
+    }
     let points = sample(value, domain)?;
     let f = values(&value.numerator, &value.denominator, &points)?;
     let counts =
