@@ -5,12 +5,15 @@ mod beside;
 #[cfg(not(feature = "angles"))]
 #[path = "no_beside.rs"]
 mod beside;
+mod decide;
 mod identity;
 mod independent;
 mod point;
 mod positivity;
 mod powers;
 pub(in crate::state) mod premises;
+mod proved;
+mod refuted;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
 mod spans;
@@ -18,16 +21,12 @@ mod witness;
 
 use std::rc::Rc;
 
-use basis_prover::{Coordinate, Failure, Method, Shown};
-
 use super::inequality::{self, compared_on};
-use super::proofs::{all, steps};
-use super::verdict::{Evidence, Stated, Verdict, Witness};
-use basis_kernel::{Statement, Values};
+use super::verdict::Stated;
+use basis_kernel::Statement;
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Joint};
@@ -36,8 +35,8 @@ use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
 use independent::Squares;
 use positivity::{chebyshev, minors, wronskian};
-use witness::witness;
 
+pub(super) use decide::decide;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
@@ -341,20 +340,6 @@ pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
     }
 }
 
-const TOO_LONG: &str =
-    "the budget is spent on a common denominator of the functions, or on ranges that depend on one another";
-
-/// Why a claim about functions with variables beside their sines is open.
-const BESIDE: &str = "no proof was found by derivatives and by bounds for what stands beside its sine or exponential, and no point \
-                      where it fails";
-
-/// What is left where a proof for all values is not found.
-const WIDER: &str =
-    "it is not seen from bounds for pi, exp, or for a variable beside its sine or exponential";
-
-/// What is left where a claim is false of more points than are assumed.
-const ASSUMED: &str = "it could not be derived from what is assumed";
-
 /// A statement that a claim makes of an expression, at one point with bounds for what is not rational there, and the
 /// statement that it fails whatever that is between the bounds; `None` if the claim does not make it.
 pub(in crate::state) fn at_point(
@@ -372,232 +357,6 @@ pub(in crate::state) fn at_point(
     beside::at_point(family, &there, &own.stated.statement, point)
 }
 
-/// Decides a claim.
-pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
-    if let ClaimKind::Spans(parts) = &claim.kind {
-        return spans::decide(family, claim, parts);
-    }
-    #[cfg(any(test, feature = "rounding"))]
-    if let ClaimKind::Rounding(epsilons) = &claim.kind {
-        return rounding::decide(family, epsilons);
-    }
-    if matches!(claim.kind, ClaimKind::TotallyPositive) {
-        return positivity::decide(family, claim);
-    }
-    if let Some(verdict) =
-        beside::proved_at_once(family, claim).or_else(|| refuted_beside(family, claim, true))
-    {
-        return verdict;
-    }
-    let mut ways = Vec::new();
-    let Some(mut said) = said(family, claim, &mut Saying::Found(&mut ways)) else {
-        return match claim.kind {
-            ClaimKind::Independent(_) => Verdict::Undecided(String::from(independent::NOT_IN_PARTS)),
-            _ => Verdict::Undecided(String::from(TOO_LONG)),
-        };
-    };
-    // Where what is assumed is no part of a box, the claim itself is looked at if what would be enough is not proved.
-    let assumed = said.iter().any(|s| !s.piece.is_exact());
-    if assumed {
-        let stated = said.iter().map(|s| s.stated.clone()).listed();
-        if let Ok(shown) = all(stated, family.budget) {
-            return proved(family, claim, shown, ways);
-        }
-        if let ClaimKind::Independent(except) = &claim.kind
-            && let Some(verdict) = decided_by_squares(family, claim, except)
-        {
-            return verdict;
-        }
-        said = self::said(family, claim, &mut Saying::Plainly).unwrap_or(said);
-        ways = Vec::new();
-        let is_sign = |s: &&Said| matches!(s.stated.statement, Statement::Sign { .. });
-        if let Some(verdict) = refuted_under_premises(family, claim, &said.iter().filter(is_sign).listed()) {
-            return verdict;
-        }
-        if let Some(verdict) = proved_by_later_ways(family, claim) {
-            return verdict;
-        }
-    }
-    let labels = said.iter().map(|s| (s.stated.of.clone(), s.of.clone(), s.piece.clone())).listed();
-    let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
-    let stronger: Vec<String> =
-        said.iter().filter(|s| s.stated.is_stronger).map(|s| s.stated.of.clone()).listed();
-    let open = |s: &&Said| !s.stated.is_stronger && is_wider(family, &s.stated.statement);
-    let beside: Vec<String> = said.iter().filter(open).map(|s| s.stated.of.clone()).listed();
-    let stated = said.iter().map(|s| s.stated.clone()).listed();
-    match all(stated, family.budget) {
-        Ok(shown) => proved(family, claim, shown, ways),
-        Err((of, Failure::Refuted(found)))
-            if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
-        {
-            let verdict = refuted_beside(family, claim, false)
-                .or_else(|| dependent_apart(family, claim))
-                .or_else(|| refuted_next_to_ends(family, claim));
-            verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {WIDER}")))
-        }
-        Err((label, Failure::Refuted(found))) => {
-            let Some((_, of, piece)) = find(&label) else { return Verdict::Undecided(label) };
-            if matches!(claim.kind, ClaimKind::Independent(_)) && !piece.is_exact() {
-                return Verdict::Undecided(String::from(
-                    "the functions are dependent at values that the assumptions may rule out",
-                ));
-            }
-            let there = family.where_fixed(claim.kind.fixed());
-            let found = beside::genuine(there.as_deref().unwrap_or(family), *found);
-            let about = (of.clone(), found.refutation.statement());
-            let witness = witness(family, &claim.kind, about, &found, piece);
-            refuted(witness, of, &label)
-        }
-        Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
-            ClaimKind::Independent(_) => match dependent_apart(family, claim) {
-                Some(verdict) => return verdict,
-                None => left,
-            },
-            _ if assumed => {
-                // Of an equation simple points come first, which need not be among those that are assumed.
-                let verdict = refuted_under_premises(family, claim, &said.iter().listed());
-                let verdict = verdict.or_else(|| refuted_beside(family, claim, false));
-                let verdict = verdict.or_else(|| refuted_next_to_ends(family, claim));
-                return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
-            }
-            ClaimKind::Relation { .. } | ClaimKind::Nonnegative if beside.contains(&of) => {
-                match refuted_next_to_ends(family, claim) {
-                    Some(verdict) => return verdict,
-                    None => format!("`{of}`: {BESIDE}"),
-                }
-            }
-            _ => format!("`{of}`: {left}"),
-        }),
-    }
-}
-
-/// A claim that is proved by other ways from what is assumed than the first ones.
-fn proved_by_later_ways(family: &Family, claim: &Claim) -> Option<Verdict> {
-    let mut ways = Vec::new();
-    let said = said(family, claim, &mut Saying::Tried(&mut ways))?;
-    // By the first ways these are the statements that are not proved.
-    if premises::are_first(&ways) {
-        return None;
-    }
-    let stated = said.into_iter().map(|s| s.stated).listed();
-    all(stated, family.budget).ok().map(|shown| proved(family, claim, shown, ways))
-}
-
-/// Whether functions are independent where what is assumed holds, by one inequality.
-fn decided_by_squares(family: &Family, claim: &Claim, except: &[Values]) -> Option<Verdict> {
-    let mut tried = Vec::new();
-    for (of, way) in independent::BY_SQUARES.into_iter().zip(1..) {
-        let enough =
-            independent::by_squares(family, except, of)?.into_iter().map(|said| said.stated).listed();
-        let statements = enough.iter().map(|stated| stated.statement.clone()).listed();
-        if core::mem::replace(&mut tried, statements.clone()) == statements {
-            continue;
-        }
-        if let Ok(shown) = all(enough, family.budget) {
-            return Some(proved(family, claim, shown, vec![way]));
-        }
-    }
-    let plain = independent::by_squares(family, except, Squares::Plain)?;
-    refuted_under_premises(family, claim, &plain.iter().listed())
-}
-
-/// That functions are dependent whatever the numbers are that occur in them.
-fn dependent_apart(family: &Family, claim: &Claim) -> Option<Verdict> {
-    if !matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty()) {
-        return None;
-    }
-    independent::apart(family).iter().find_map(|s| refuted_alone(family, claim, s))
-}
-
-/// That a claim is false by one of the statements that it makes, which is decided.
-fn refuted_alone(family: &Family, claim: &Claim, s: &Said) -> Option<Verdict> {
-    let Stated { of, statement, symmetries, .. } = &s.stated;
-    let Err(Failure::Refuted(found)) = basis_prover::decide(statement.clone(), symmetries, family.budget)
-    else {
-        return None;
-    };
-    let about = (s.of.clone(), found.refutation.statement());
-    Some(refuted(witness(family, &claim.kind, about, &found, &s.piece), &s.of, of))
-}
-
-/// That a claim is true by the proofs of what is enough for it, to which some ways lead.
-fn proved(family: &Family, claim: &Claim, shown: Vec<(String, Shown)>, ways: Vec<usize>) -> Verdict {
-    let method = if by_wronskians(&claim.kind, &ways) {
-        String::from(wronskian::METHOD)
-    } else {
-        method(family, &claim.kind, &shown)
-    };
-    Verdict::Proved(Evidence::new(method, steps(shown)).by(ways))
-}
-
-/// That an expression is not as claimed; where the label of the statement says more, of several parts, it is named.
-fn refuted(witness: Witness, of: &str, label: &str) -> Verdict {
-    Verdict::Refuted(Box::new(if of == label { witness } else { witness.about(label) }))
-}
-
-/// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
-fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
-    refuted_plainly(family, claim, only_mixed, Where::Everywhere)
-}
-
-/// The same where parameters are next to an end that is left out.
-fn refuted_next_to_ends(family: &Family, claim: &Claim) -> Option<Verdict> {
-    let is_left_out = |end: &End| !end.is_included();
-    let mut ends = family.shapes.iter().filter(|p| p.range.finite().is_some());
-    if !ends.any(|p| is_left_out(&p.range.low) || is_left_out(&p.range.high)) {
-        return None;
-    }
-    refuted_plainly(family, claim, false, Where::NextToEnds)
-}
-
-fn refuted_plainly(family: &Family, claim: &Claim, only_mixed: bool, at: Where) -> Option<Verdict> {
-    let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
-        && !family.analytic.is_empty();
-    if !comparisons {
-        return None;
-    }
-    refuted_among(family, claim, said(family, claim, &mut Saying::Plainly)?, only_mixed, at)
-}
-
-/// The same of the comparisons that are given.
-fn refuted_among(
-    family: &Family,
-    claim: &Claim,
-    said: Vec<Said>,
-    only_mixed: bool,
-    at: Where,
-) -> Option<Verdict> {
-    let (s, whatever) = beside::refuted(family, claim, said, only_mixed, at)?;
-    let witness = witness_whatever(family, claim, &s, whatever);
-    Some(refuted(witness, &s.of, &s.stated.of))
-}
-
-/// The witness that a point is at which a statement fails whatever π and exp(r) are between their bounds.
-fn witness_whatever(family: &Family, claim: &Claim, s: &Said, (found, proof): beside::Whatever) -> Witness {
-    witness(family, &claim.kind, (s.of.clone(), &s.stated.statement), &found, &s.piece).whatever(proof)
-}
-
-/// A point of what is assumed at which one of the statements fails that a claim makes itself.
-fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Option<Verdict> {
-    let (s, found) = basis_prover::working(family.budget, &mut |work| {
-        let mut own = said.iter().filter(|s| !s.stated.is_stronger);
-        own.find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
-    })?;
-    let witness = if is_wider(family, found.refutation.statement()) {
-        let rational = |(var, c): &(Var, Coordinate)| match c {
-            Coordinate::Rational(x) => Some((*var, x.clone())),
-            Coordinate::Algebraic(_) => None,
-        };
-        let point: Option<Vec<_>> = found.point.iter().map(rational).collect();
-        let whatever = beside::refuted_whatever(family, claim, &s.stated.statement, &point?)?;
-        witness_whatever(family, claim, s, whatever)
-    } else {
-        let about = (s.of.clone(), found.refutation.statement());
-        witness(family, &claim.kind, about, &found, &s.piece)
-    };
-    Some(refuted(witness, &s.of, &s.stated.of))
-}
-
 /// The minors of a family that `given` names, each of which has to be ≥ 0.
 ///
 /// # Errors
@@ -607,26 +366,4 @@ pub(in crate::state) fn minors(
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
     minors::instances(family, given)
-}
-
-/// How a claim was proved, in a few words.
-fn method(family: &Family, kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
-    let equation = matches!(kind, ClaimKind::Relation { differences, .. }
-        if differences.iter().all(|(comparison, _)| *comparison == Comparison::Equal));
-    String::from(match kind {
-        ClaimKind::PartitionOfUnity => "expansion of the sum",
-        ClaimKind::Symmetric => "expansion of the moved functions",
-        ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
-        ClaimKind::Smooth(_) => "expansion of the derivatives at the knots",
-        ClaimKind::Independent(_) => "minors",
-        ClaimKind::TotallyPositive if chebyshev::is_mixed(family) => {
-            "zeros at both ends in a Chebyshev space"
-        }
-        ClaimKind::TotallyPositive => "totally nonnegative conversion to a Bernstein basis",
-        _ if equation => "expansion of both sides",
-        _ => {
-            let hardest = shown.iter().map(|(_, shown)| shown.method).max();
-            return hardest.unwrap_or(Method::Constant).to_string();
-        }
-    })
 }

@@ -18,8 +18,9 @@ use crate::model::angle::enclosure::{Anchor, From, row_without};
 use crate::model::angle::tangents::has_ends;
 use crate::model::angle::{Angle, Kind};
 use crate::model::chart::Piece;
+use crate::state::family::proved::proved;
 use crate::state::family::{
-    Enough, Said, Saying, Where, is_wider, premises, proved, said, statements, without_numbers,
+    Enough, Said, Saying, Where, is_wider, premises, said, statements, without_numbers,
 };
 use crate::state::inequality::compared_on;
 use crate::state::proofs::all;

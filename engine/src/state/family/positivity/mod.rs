@@ -7,11 +7,12 @@ pub(super) mod wronskian;
 use basis_prover::collections::list::Listed;
 use basis_prover::within;
 
-use super::{
-    Saying, Where, all, is_wider, proved, refuted_alone, refuted_among, refuted_under_premises, said,
-};
+use super::proved::proved;
+use super::refuted::{refuted_alone, refuted_among, refuted_under_premises};
+use super::{Saying, Where, is_wider, said};
 use crate::claim::Claim;
 use crate::model::Family;
+use crate::state::proofs::all;
 use crate::state::verdict::Verdict;
 
 /// Decides whether functions are totally positive.
