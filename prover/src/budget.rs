@@ -95,7 +95,17 @@ pub fn within<T>(units: u64, work: &mut dyn FnMut() -> T) -> T {
     result
 }
 
-/// The same, and whether anything went without work that it would have had alone: if so, with more units something else may
+/// Does work with half of the units that are left, so that something else can follow.
+pub fn within_half<T>(work: &mut dyn FnMut() -> T) -> T {
+    let outer = CEILING.get();
+    let left = outer.saturating_sub(spent());
+    CEILING.set(outer - left / 2);
+    let result = work();
+    CEILING.set(outer);
+    result
+}
+
+/// The same as [`within`], and whether anything went without work that it would have had alone: if so, with more units something else may
 /// come out.
 pub fn cut_short_within<T>(units: u64, work: &mut dyn FnMut() -> T) -> (T, bool) {
     let mut cuts = 0;

@@ -20,8 +20,8 @@ mod zero_free;
 
 pub use basis_kernel::{Proof, Refutation};
 pub use budget::{
-    Budget, charge, charged, cut_short_within, done_less_often, measured, spent, within, working,
-    working_with,
+    Budget, charge, charged, cut_short_within, done_less_often, measured, spent, within, within_half,
+    working, working_with,
 };
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute, value_at};

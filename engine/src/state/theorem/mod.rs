@@ -12,7 +12,7 @@ use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::{
-    Coordinate, Counterexample, Failure, Shown, Symmetries, decide as decide_statement, typical,
+    Coordinate, Counterexample, Failure, Shown, Symmetries, decide as decide_statement, typical, within_half,
 };
 
 use super::family::{on_part, premises};
@@ -229,7 +229,12 @@ fn own_verdict(theorem: &Theorem, claim: &Claim, factor: Option<&str>) -> Verdic
     let proved = |shown: Vec<(String, Shown)>| Evidence::new(method(&claim.kind, &shown), steps(shown));
     let mut ways = Vec::new();
     let enough = parts::enough(stated.clone(), &mut |s| premises::by_first(s, &mut ways));
-    match all(enough, theorem.budget) {
+    let first = if assumed {
+        within_half(&mut || all(enough.clone(), theorem.budget))
+    } else {
+        all(enough, theorem.budget)
+    };
+    match first {
         Ok(shown) => Verdict::Proved(proved(shown).by(ways)),
         Err((of, decision)) => match &claim.kind {
             ClaimKind::Scalar { comparison, .. } if assumed && *comparison != Comparison::Equal => {

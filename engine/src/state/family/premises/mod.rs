@@ -43,7 +43,7 @@ pub(in crate::state) use search::counterexample;
 const MAX_SQUARED: usize = 12;
 
 /// Ways after the first one that are tried, at most.
-const MAX_TRIED: usize = 12;
+const MAX_TRIED: usize = 16;
 
 /// The work for one of them.
 const TRIED: u64 = 4_000_000;
@@ -215,6 +215,7 @@ impl Sign<'_> {
         let alone = self.value.numerator.len() == 1 && self.is_unbounded();
         self.above_and_below(depth, true, &mut |all| found(Some(all)))
             || self.divided(depth, true, &mut |all| found(Some(all)))
+            || self.opened(depth, &mut |all| found(Some(all)))
             || found(self.by_zeros())
             || found(self.at_irrational_ends())
             || self.divided(depth, false, &mut |all| found(Some(all)))
@@ -222,6 +223,8 @@ impl Sign<'_> {
             || found(self.by_factors())
             || self.by_number(seen, None, &mut |all| found(Some(all)))
             || self.above_and_below(depth, false, &mut |all| found(Some(all)))
+            || self.end_apart(depth, &mut |all| found(Some(all)))
+            || self.without_number(depth, &mut |all| found(Some(all)))
             || self.squared(&mut |all| found(Some(all)))
             || found(self.narrowed())
             || self.bounded(depth, &mut |all| found(Some(all)))
@@ -272,7 +275,7 @@ impl Sign<'_> {
         for (factor, exponent) in factors {
             let even = exponent % 2 == 0;
             let own = factor.eval(&point).signum();
-            sign *= if even { own * own } else { own };
+            sign *= if even { 1 } else { own };
             if even && self.relation == Relation::NonNegative {
                 continue;
             }
@@ -286,6 +289,23 @@ impl Sign<'_> {
             });
         }
         (sign > 0).then_some(all)
+    }
+
+    /// For a polynomial with a constant term that is positive: that the rest is ≥ 0.
+    fn without_number(&self, depth: usize, accept: &mut Accept<'_>) -> bool {
+        let Quotient { numerator, denominator } = &self.value;
+        let number = self.value.numerator.terms().find(|(m, _)| m.is_one()).map(|(_, c)| c.clone());
+        let (Some(number), Some(depth)) = (number.filter(Rational::is_positive), depth.checked_sub(1)) else {
+            return false;
+        };
+        if !denominator.is_one() {
+            return false;
+        }
+        let value = Quotient::from(numerator - &Poly::constant(number));
+        let rest = Sign { value, relation: Relation::NonNegative, domain: self.domain };
+        let seen = Seen::new(&rest.value, self.domain);
+        let Some(seen) = seen.filter(|seen| !seen.refutes(rest.relation, self.domain)) else { return false };
+        rest.enough(&seen, depth, accept)
     }
 
     /// For P + N, where P ≥ 0: that P² − N² has the sign.

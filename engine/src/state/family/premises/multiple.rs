@@ -52,23 +52,28 @@ impl Sign<'_> {
                 for over in [one.clone()].into_iter().chain(over) {
                     let quotient = Quotient { numerator: product.clone(), denominator: over.clone() };
                     let Some(times) = below.div_exact(&over) else { continue };
-                    // From a strict premise follows a strict inequality.
-                    let strict =
-                        *relation == Relation::Positive && *premise == Relation::Positive && factor.is_one();
-                    let relation = if strict { Relation::NonNegative } else { *relation };
                     let domain = without_premises(domain);
                     let sign = |value: Quotient, relation| Statement::Sign {
                         value,
                         relation,
                         domain: Rc::clone(&domain),
                     };
-                    for c in self.multiples(seen, &quotient, relation == Relation::Positive) {
-                        let numerator = &value.numerator - &(&product.scale(&c) * &times);
-                        let rest = sign(Quotient { numerator, denominator: below.clone() }, relation);
-                        let denominator =
-                            (!over.is_one()).then(|| sign(over.clone().into(), Relation::Positive));
-                        if accept([rest].into_iter().chain(denominator).listed()) {
-                            return true;
+                    // From a strict premise follows a strict inequality, where its factor is positive.
+                    let strict = *relation == Relation::Positive && *premise == Relation::Positive;
+                    let by_factor = strict && is_positive(&factor);
+                    let plain = if strict && factor.is_one() { Relation::NonNegative } else { *relation };
+                    let relations = [(plain, None), (Relation::NonNegative, Some(&factor))];
+                    for (relation, positive) in relations.into_iter().take(1 + usize::from(by_factor)) {
+                        let positive = positive.map(|p| sign(p.clone().into(), Relation::Positive));
+                        for c in self.multiples(seen, &quotient, relation == Relation::Positive) {
+                            let numerator = &value.numerator - &(&product.scale(&c) * &times);
+                            let rest = sign(Quotient { numerator, denominator: below.clone() }, relation);
+                            let denominator =
+                                (!over.is_one()).then(|| sign(over.clone().into(), Relation::Positive));
+                            let others = denominator.into_iter().chain(positive.clone());
+                            if accept([rest].into_iter().chain(others).listed()) {
+                                return true;
+                            }
                         }
                     }
                 }
@@ -203,6 +208,12 @@ fn factors(numerator: &Poly, premise: &Poly, domain: &Domain) -> Vec<Poly> {
         let x = Poly::var(*var);
         let low = range.low.value().map(|end| &x - &Poly::constant(end.clone()));
         let high = range.high.value().map(|end| &Poly::constant(end.clone()) - &x);
+        if low.is_none() && high.is_none() {
+            all.push(&own * &x.pow(2));
+            if !own.is_one() {
+                apart.push(x.pow(2));
+            }
+        }
         for distance in [low, high].into_iter().flatten() {
             all.push(&own * &distance);
             all.push(&own * &distance.pow(2));

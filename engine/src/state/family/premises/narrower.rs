@@ -64,6 +64,79 @@ impl Sign<'_> {
         Some(all)
     }
 
+    /// The same without ends of ranges at which a premise fails, as 0 ≤ p has where p·q ≥ 1; what is assumed stays.
+    pub(super) fn opened(&self, depth: usize, accept: &mut Accept<'_>) -> bool {
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        if self.relation == Relation::NonNegative && self.value.denominator.as_constant().is_some() {
+            return false;
+        }
+        let mut region = self.domain.region.clone();
+        let mut all = Vec::new();
+        for (x, range) in &mut region.ranges {
+            for end in [&mut range.low, &mut range.high] {
+                let End::Included(at) = end.clone() else { continue };
+                let fails = |(g, premise): &(Poly, Relation)| {
+                    let g = Some(g).filter(|g| g.depends_on(*x))?;
+                    let (value, relation) = (Quotient::from(-&g.at(*x, &at)), premise.of_negative());
+                    let fails = Sign { value, relation, domain: self.domain };
+                    let seen = Seen::new(&fails.value, self.domain);
+                    let is_seen = match fails.value.numerator.as_constant() {
+                        Some(c) => relation.holds(&c),
+                        None => !seen?.fails(relation),
+                    };
+                    is_seen.then(|| fails.plain())
+                };
+                if let Some(fails) = self.domain.premises.iter().find_map(fails) {
+                    all.push(fails);
+                    *end = End::Excluded(at);
+                }
+            }
+        }
+        if all.is_empty() {
+            return false;
+        }
+        let domain = Rc::new(Domain { region, ..self.domain.clone() });
+        let rest = Sign { value: self.value.clone(), relation: self.relation, domain: &domain };
+        let Some(seen) = Seen::new(&rest.value, &domain) else { return false };
+        rest.enough(&seen, depth, &mut |rest| accept([&all[..], &rest].concat()))
+    }
+
+    /// A strict inequality at an end of the range of a variable that no premise has, and beyond it: a multiple of a premise which
+    /// is 0 at that end is positive beyond.
+    pub(super) fn end_apart(&self, depth: usize, accept: &mut Accept<'_>) -> bool {
+        let Some(depth) = depth.checked_sub(1) else { return false };
+        if self.relation != Relation::Positive || self.value.denominator.as_constant().is_none() {
+            return false;
+        }
+        let is_free = |x: Var| self.domain.premises.iter().all(|(g, _)| !g.depends_on(x));
+        (0..self.domain.region.ranges.len()).any(|k| {
+            let (x, range) = &self.domain.region.ranges[k];
+            [(&range.low, false), (&range.high, true)].into_iter().any(|(end, upper)| {
+                let (true, true, End::Included(at)) =
+                    (is_free(*x), self.value.numerator.depends_on(*x), end.clone())
+                else {
+                    return false;
+                };
+                let mut beyond = self.domain.clone();
+                let own = &mut beyond.region.ranges[k].1;
+                if upper {
+                    own.high = End::Excluded(at.clone())
+                } else {
+                    own.low = End::Excluded(at.clone())
+                }
+                let numerator = self.value.numerator.at(*x, &at);
+                let here = Sign { value: Quotient { numerator, ..self.value.clone() }, ..*self };
+                let there = Sign { value: self.value.clone(), domain: &beyond, ..*self };
+                let seen = [&here, &there].map(|sign| Seen::new(&sign.value, sign.domain));
+                let [Some(seen), Some(seen_beyond)] = seen else { return false };
+                here.enough(&seen, depth, &mut |here| {
+                    let mut both = |there: Vec<Statement>| accept([&here[..], &there].concat());
+                    there.by_number(&seen_beyond, None, &mut both) || there.multiplied(depth, &mut both)
+                })
+            })
+        })
+    }
+
     /// The same with an end for a range that has none, as 0 ≤ x has where x² + y² ≤ 9; what is assumed stays.
     pub(super) fn bounded(&self, depth: usize, accept: &mut Accept<'_>) -> bool {
         let Some(depth) = depth.checked_sub(1) else { return false };

@@ -15,11 +15,13 @@ const MAX_POINTS: usize = 800;
 /// More terms than this are not evaluated at that many points.
 const MAX_TERMS: usize = 400;
 
-/// A point, by variable, far inside of what premises leave of a box, among those at which a polynomial is looked at.
+/// A point, by variable, far inside of what premises leave of a box, among those at which a polynomial is looked at and is not 0 if
+/// there are any.
 pub(in crate::state) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<Rational>> {
     let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
     let counts = |point: &Vec<Rational>| domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point)));
-    sample(&p.clone().into(), domain)?.into_iter().filter(counts).max_by_key(room)
+    let points = sample(&p.clone().into(), domain)?.into_iter().filter(counts);
+    points.max_by_key(|point| (!p.eval(point).is_zero(), room(point)))
 }
 
 /// The ranges of the variables that have one; of those of a simplex what surrounds it.

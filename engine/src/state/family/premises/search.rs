@@ -70,14 +70,15 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     let last = alike.len().saturating_sub(1);
     let others = (0..STARTS.min(alike.len())).map(|k| alike[k * last / (STARTS - 1)].clone()).listed();
     let ranges = all_ranges(value, domain);
-    let moving =
-        |(var, _): &&(Var, Range)| value.numerator.depends_on(*var) || value.denominator.depends_on(*var);
-    let moving: Vec<&(Var, Range)> = ranges.iter().filter(moving).collect();
-    let directions = directions(moving.len());
-    let slopes = Slopes::new(value, domain, &moving);
-    let finest = if moving.len() <= 2 { 28 } else { 14 };
+    let all: Vec<&(Var, Range)> = ranges
+        .iter()
+        .filter(|(var, _)| value.numerator.depends_on(*var) || value.denominator.depends_on(*var))
+        .collect();
     // From a point downhill in smaller and smaller steps.
-    let downhill = |start: Vec<Rational>| {
+    let downhill = |start: Vec<Rational>, moving: &[&(Var, Range)]| {
+        let directions = directions(moving.len());
+        let slopes = Slopes::new(value, domain, moving);
+        let finest = if moving.len() <= 2 { 28 } else { 14 };
         let (mut point, mut least) = (start, least_of_all.clone());
         let mut step = Rational::new(1, 16);
         let mut tries = 0;
@@ -117,17 +118,74 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
         }
         Some((relation.holds(&least), point))
     };
-    let (holds, lowest) = downhill(first)?;
-    if !holds {
-        return at(&lowest, work);
-    }
-    for start in others {
-        let (holds, point) = downhill(start)?;
+    // A variable that no premise has stays first where it is at an end.
+    let is_free = |var: Var| domain.premises.iter().all(|(g, _)| !g.depends_on(var));
+    let stays = |(var, range): &(Var, Range)| {
+        is_free(*var) && [&range.low, &range.high].iter().any(|end| end.value() == Some(&first[var.0]))
+    };
+    let some: Vec<&(Var, Range)> = all.iter().copied().filter(|one| !stays(one)).collect();
+    if some.len() < all.len() {
+        let (holds, point) = downhill(first.clone(), &some)?;
         if !holds {
             return at(&point, work);
         }
     }
+    let (holds, lowest) = downhill(first, &all)?;
+    if !holds {
+        return at(&lowest, work);
+    }
+    for start in others {
+        let (holds, point) = downhill(start, &all)?;
+        if !holds {
+            return at(&point, work);
+        }
+    }
+    if let Some(point) = far_away(&ranges, &|point| {
+        let fits = fits(domain, point) && counts(&point.to_vec());
+        let value = values(&value.numerator, &value.denominator, &[point.to_vec()]);
+        fits && value.and_then(|mut all| all.pop()?).is_some_and(|f| !relation.holds(&f))
+    }) {
+        return at(&point, work);
+    }
     touching::counterexample(&Rc::new(statement.clone()), &ranges, &lowest, work)
+}
+
+/// Distances from 0, or from the only end of a range, at which a function is looked at, by powers of two.
+const FAR: [i32; 8] = [-12, -8, -4, -1, 1, 4, 8, 12];
+
+/// Points of this kind, at most.
+const MAX_FAR: usize = 4000;
+
+/// A point that is wanted, near the ends of ranges without another one and far away from them.
+fn far_away(ranges: &[(Var, Range)], is_wanted: &dyn Fn(&[Rational]) -> bool) -> Option<Vec<Rational>> {
+    if ranges.iter().all(|(_, range)| range.finite().is_some()) {
+        return None;
+    }
+    let width = ranges.iter().map(|(var, _)| var.0 + 1).max()?;
+    let mut points = vec![vec![Rational::ZERO; width]];
+    for (var, range) in ranges {
+        let far = |k: i32| if k < 0 { Rational::new(1, 1 << -k) } else { Rational::from(1_i64 << k) };
+        let places = match (range.low.value(), range.high.value()) {
+            (Some(low), Some(high)) => vec![low.clone(), high.clone()],
+            (Some(low), None) => FAR.map(|k| low + &far(k)).to_vec(),
+            (None, Some(high)) => FAR.map(|k| high - &far(k)).to_vec(),
+            (None, None) => FAR.iter().flat_map(|k| [far(*k), -far(*k)]).listed(),
+        };
+        let mut next = Vec::new();
+        for point in &points {
+            for x in places.iter().filter(|x| range.contains(x)) {
+                let mut point = point.clone();
+                point[var.0] = x.clone();
+                next.push(point);
+            }
+        }
+        points = next;
+        basis_prover::charge((points.len() * (8 + width)) as u64);
+        if points.len() > MAX_FAR {
+            return None;
+        }
+    }
+    points.into_iter().find(|point| is_wanted(point))
 }
 
 /// The gradients of a quotient and of the premises.
