@@ -120,9 +120,9 @@ impl Sign<'_> {
                 let mut beyond = self.domain.clone();
                 let own = &mut beyond.region.ranges[k].1;
                 if upper {
-                    own.high = End::Excluded(at.clone())
+                    own.high = End::Excluded(at.clone());
                 } else {
-                    own.low = End::Excluded(at.clone())
+                    own.low = End::Excluded(at.clone());
                 }
                 let numerator = self.value.numerator.at(*x, &at);
                 let here = Sign { value: Quotient { numerator, ..self.value.clone() }, ..*self };
