@@ -2,7 +2,7 @@
 
 mod render;
 
-use core::ops::Range;
+use core::ops::{Deref, DerefMut, Range};
 
 use proc_macro2::Span;
 
@@ -27,9 +27,28 @@ pub enum Place {
     Token(Span, Span),
 }
 
-/// One message about a spec.
+/// One message about a spec: its [`Message`] in one word, because nearly every function of the engine may return it,
+/// and what moves it up is most of what such a function costs to compile.
 #[derive(Clone, Debug)]
-pub struct Diagnostic {
+pub struct Diagnostic(Box<Message>);
+
+impl Deref for Diagnostic {
+    type Target = Message;
+
+    fn deref(&self) -> &Message {
+        &self.0
+    }
+}
+
+impl DerefMut for Diagnostic {
+    fn deref_mut(&mut self) -> &mut Message {
+        &mut self.0
+    }
+}
+
+/// What a [`Diagnostic`] says.
+#[derive(Clone, Debug)]
+pub struct Message {
     /// How bad it is.
     pub severity: Severity,
     /// What is wrong, in one line.
@@ -110,8 +129,9 @@ impl Diagnostics {
         if unshown > 0 {
             let (errors, verb) = if unshown == 1 { ("error", "is") } else { ("errors", "are") };
             let error = Diagnostic::unplaced(format!("{} more {errors} {verb} not shown", grouped(unshown)));
-            let error = error.help("correct the first ones; others may follow from them");
-            all.push(Diagnostic { unshown, ..error });
+            let mut error = error.help("correct the first ones; others may follow from them");
+            error.unshown = unshown;
+            all.push(error);
         }
         all
     }
@@ -141,19 +161,21 @@ pub(crate) fn grouped(n: usize) -> String {
 impl Diagnostic {
     /// An error at a place.
     pub fn error(place: Place, message: impl Into<String>) -> Self {
-        Self { labels: vec![(place, String::new())], ..Self::unplaced(message) }
+        let mut error = Self::unplaced(message);
+        error.labels.push((place, String::new()));
+        error
     }
 
     /// An error that is not about a place in a spec.
     pub fn unplaced(message: impl Into<String>) -> Self {
-        Self {
+        Self(Box::new(Message {
             severity: Severity::Error,
             message: message.into(),
             labels: Vec::new(),
             notes: Vec::new(),
             help: None,
             unshown: 0,
-        }
+        }))
     }
 
     /// Makes it a warning.

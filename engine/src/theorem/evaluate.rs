@@ -9,7 +9,6 @@ use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::diagnostic::Diagnostic;
 use crate::model::formula::print::Printer;
 use crate::model::words::BUILTINS;
 use crate::plural::here;
@@ -113,7 +112,7 @@ impl Elaboration<'_> {
         let patch = &self.patches[*patch];
         let names: Vec<&str> = patch.parameters.iter().chain(&patch.dependent).map(String::as_str).listed();
         let (shown, names) = (printer.print(expr), names.join(", "));
-        let error = self.scope.error(expr.span, format!("`{shown}` needs a parameter value"));
+        let mut error = self.scope.error(expr.span, format!("`{shown}` needs a parameter value"));
         let order = match &expr.kind {
             ExprKind::Call(_, arguments) => match arguments.as_slice() {
                 [curve, Expr { kind: ExprKind::Number(order), .. }] => Some((printer.print(curve), order)),
@@ -123,8 +122,9 @@ impl Elaboration<'_> {
         };
         self.scope.report(match order {
             Some((curve, order)) if *order == Rational::ZERO || *order == Rational::ONE => {
-                let message = format!("`{shown}` is the derivative of order {order} without a parameter value");
-                Diagnostic { message, ..error }.help(format!(
+                error.message =
+                    format!("`{shown}` is the derivative of order {order} without a parameter value");
+                error.help(format!(
                     "write `D({curve})({order})` for the derivative at {names} = {order}, `D({curve}, 2)({order})` for the second"
                 ))
             }
