@@ -242,7 +242,7 @@ mod tests {
 
     fn family(source: Source, name: &str, order: &[i64]) -> std::rc::Rc<Family> {
         let library = Library::from_source(&Disk, &Prover, source);
-        let errors: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();
+        let errors: Vec<String> = library.diagnostics().into_iter().map(|d| d.message.clone()).collect();
         let item = library.item(name, order).unwrap_or_else(|_| panic!("{name}: {errors:?}"));
         match item.subject {
             Subject::Family(family) => family,

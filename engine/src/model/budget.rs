@@ -475,7 +475,8 @@ mod tests {
                 Library::from_source(&Disk, &crate::Prover, crate::Source::text("much.basis", &spec));
             part(library.run()).set(left);
             let items = library.items(Selected::EveryOrder);
-            let messages: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();
+            let messages: Vec<String> =
+                library.diagnostics().into_iter().map(|d| d.message.clone()).collect();
             assert!(messages.len() == 1 && messages[0].contains(words), "{words}: {messages:?}");
             assert!(library.run().is_stopped() && items.len() < 62, "{words}");
         }

@@ -254,7 +254,7 @@ fn values_of_angles_that_are_refused() {
         check(Source::text("refused.basis", &spec))
             .diagnostics
             .into_iter()
-            .map(|d| d.message)
+            .map(|d| d.message.clone())
             .collect::<Vec<_>>()
     };
     assert_eq!(errors("at α = 3*pi/2 { b[0] >= 0; }").len(), 1);

@@ -2,6 +2,7 @@
 
 use basis_runtime::bspline::KnotVector;
 use basis_runtime::{BernsteinBasis, Bezier, Fit, FitEnd, ParametricCurve};
+use basis_test_support::cases;
 
 use crate::random::Random;
 use crate::{QuarticBernstein, Spans, Weighted, distance};
@@ -46,7 +47,7 @@ fn an_arc_with_its_weight() {
 #[test]
 fn distances_are_orthogonal() {
     let mut random = Random::new(12);
-    for _ in 0..20 {
+    for _ in 0..cases(20) {
         let a = random.between::<f64>(0.5, 2.0);
         let data: Vec<[f64; 3]> = (0..60)
             .map(|i| f64::from(i) / 59.0 * 4.0)

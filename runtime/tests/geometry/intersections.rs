@@ -2,6 +2,7 @@
 
 use basis_runtime::bspline::BSplineCurve;
 use basis_runtime::{Bezier, Curve, Meeting, MeetingKind, ParametricCurve, Path, PiecewiseCurve};
+use basis_test_support::cases;
 
 use crate::queries::{circle, distance, nurbs, spline};
 use crate::random::Random;
@@ -90,7 +91,7 @@ fn of_random_curves() {
 fn of_lines() {
     let random = &mut Random::new(1902);
     let mut total = 0;
-    for round in 0..3000 {
+    for round in 0..cases(3000) {
         // Every other pair on a coarse grid: lines through ends, tangents, symmetric curves.
         let mut point = || {
             let [x, y] = [(); 2].map(|()| random.between(-1.0, 1.0));
@@ -126,7 +127,7 @@ fn of_lines() {
             }
         }
     }
-    assert!(total > 800, "{total}");
+    assert!(total > cases(800), "{total}");
 }
 
 /// Nine points of two cubics, and curves of high degree.

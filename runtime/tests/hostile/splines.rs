@@ -473,7 +473,7 @@ pub(crate) fn names() -> Vec<&'static str> {
 fn knot_vectors() {
     for (name, call) in KNOTS {
         for knots in [knots(), unclamped()] {
-            for (a, b) in crate::pairs() {
+            for (a, b) in (0..3).flat_map(crate::pairs) {
                 assert!(call(&knots, a, b), "{name} with {a:e} and {b:e}: {knots:?}");
             }
         }

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use basis_runtime::{Bezier, CurveError, ParametricCurve, Path, PathSegment, Point};
+use basis_test_support::cases;
 
 use crate::closed;
 use crate::random::Random;
@@ -157,7 +158,7 @@ fn points_on_the_curve_have_no_winding_number() {
 
 /// How many of many points of a curve have a winding number.
 fn beside<P: Point>(curve: &impl ParametricCurve<Point = P>) -> usize {
-    curve.samples(2_001).filter(|&p| curve.winding(p).unwrap().is_some()).count()
+    curve.samples(cases(2_001)).filter(|&p| curve.winding(p).unwrap().is_some()).count()
 }
 
 /// A point of the curve differs from it by rounding errors, those of its scalar type.

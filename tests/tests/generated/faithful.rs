@@ -7,6 +7,7 @@ use basis_engine::steps::{FamilySteps, JoinSteps, Number, Step, Steps};
 use basis_engine::theorem::theorems;
 use basis_engine::{Disk, Library, Prover, Subject, source};
 use basis_runtime::{Array, Basis, Curve, FUSED_HERE, Scalar, basis};
+use basis_test_support::cases;
 use basis_tests::exact::{Reference, fraction};
 use basis_tests::families::{Shipped, Touching};
 use basis_tests::patches::{ShippedPatch, TouchingBox, TouchingTriangle, exact};
@@ -85,7 +86,7 @@ fn curves<B: Shipped<Scalar: Number>>(rounds: usize) {
     for steps in [&values, &weights, &point, &with_derivatives].into_iter().chain(&derivatives) {
         are_tidy(steps);
     }
-    for _ in 0..rounds {
+    for _ in 0..cases(rounds) {
         let shape: Vec<B::Scalar> = reference.shape(random);
         let basis = B::with(&shape).expect("inside the range");
         let t = parameter::<B>(random);
@@ -153,7 +154,7 @@ fn patches<B: ShippedPatch<Scalar: Number>>(rounds: usize) {
     if !large {
         derivatives.iter().chain(&patches).chain([&values]).for_each(are_tidy);
     }
-    for _ in 0..rounds {
+    for _ in 0..cases(rounds) {
         let shape: Vec<B::Scalar> = reference.shape(random);
         let basis = B::with(&shape).expect("inside the range");
         let at = B::point(&reference, random);

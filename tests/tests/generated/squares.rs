@@ -4,6 +4,7 @@ use basis_engine::plan::Input;
 use basis_engine::steps::FamilySteps;
 use basis_engine::{Disk, Library, Prover, Source, Subject};
 use basis_runtime::{Scalar, basis};
+use basis_test_support::cases;
 use basis_tests::families::Touching;
 use basis_tests::patches::{TouchingBox, TouchingTriangle};
 use basis_tests::random::Random;
@@ -91,7 +92,7 @@ fn sums_of_squares<S: Scalar>(rounds: usize) {
     let check = |values: &[S], what: &dyn Fn() -> String| {
         assert!(values.iter().all(|value| *value >= S::ZERO), "{}: {values:?}", what());
     };
-    for _ in 0..rounds {
+    for _ in 0..cases(rounds) {
         let unit = |random: &mut Random| near::<S>(random, [0.0, 1.0], &places);
         let a: S = near(random, [-1.0, 2.0], &places);
         let c = [S::ZERO, unit(random)][random.below(2)];

@@ -61,6 +61,7 @@ impl Crate {
             .args(["run", "--quiet", "--offline"])
             .current_dir(self.0.path())
             .env("CARGO_TERM_COLOR", "never")
+            .env("CARGO_PROFILE_DEV_DEBUG", "0") // as there, so that they are the same
             .env("CARGO_TARGET_DIR", target)
             .env_remove("RUSTFLAGS")
             .envs(variables.iter().copied())

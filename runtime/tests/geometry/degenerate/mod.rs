@@ -1,12 +1,13 @@
 //! Where random and degenerate curves meet themselves and each other, beside a search by boxes alone and places that are
 //! known because the curves were made to meet there: nothing is missed, nothing is invented, nothing is said twice.
-//! `CASES=10000` tests more of each kind, and `SEED=7` others.
+//! `CASES=10000` tests that many of each kind, and `SEED=7` others.
 
 mod cases;
 mod judge;
 
 use basis_runtime::ParametricCurve;
 use basis_runtime::bspline::{BSplineCurve, NurbsCurve};
+use basis_test_support::cases as usually;
 
 use crate::random::Random;
 use cases::{KINDS, OWN_KINDS, Points, own, pair, random_curve};
@@ -63,7 +64,7 @@ fn pairs_in<const D: usize>(seed: u64, count: usize) {
     let mut wrong = Wrong::new(seed);
     let random = &mut Random::new(wrong.seed);
     for kind in 0..KINDS {
-        for number in 0..asked_for("CASES", count) {
+        for number in 0..asked_for("CASES", usually(count)) {
             let case = pair::<D>(random, kind);
             let scale = 2.0_f64.powi([0, 0, 0, 30, -30, 400, -400][random.below(7)]);
             // Curves that run along each other take the longer the smaller it is.
@@ -94,7 +95,7 @@ fn with_themselves<const D: usize>(seed: u64, count: usize) {
     let mut wrong = Wrong::new(seed);
     let random = &mut Random::new(wrong.seed);
     for kind in 0..OWN_KINDS {
-        for number in 0..asked_for("CASES", count) {
+        for number in 0..asked_for("CASES", usually(count)) {
             let case = own::<D>(random, kind);
             let scale = 2.0_f64.powi([0, 0, 30, -400][random.below(4)]);
             let accuracy = if kind == 4 { 1e-3 } else { [1e-3, 1e-6, 1e-9][random.below(3)] };
@@ -122,7 +123,7 @@ fn curves_with_themselves_in_space() {
 #[test]
 fn ends_beside_curves() {
     let random = &mut Random::new(1914);
-    for _ in 0..asked_for("CASES", 200) {
+    for _ in 0..asked_for("CASES", usually(200)) {
         let (a, mut b) = (random_curve::<2>(random, 3, false), random_curve::<2>(random, 3, false));
         let s: f64 = random.between(0.1, 0.9);
         let (point, tangent) = scaled(&a, 1.0, |curve| (curve.eval(s), curve.tangent(s).unwrap()));

@@ -1,6 +1,7 @@
 //! Arc lengths are as accurate as they promise, also at cusps, and their inverse finds the parameters.
 
 use basis_runtime::{Bezier, Curve, Scalar};
+use basis_test_support::cases;
 
 use crate::families::{Linear, QuarticBernstein};
 use crate::random::Random;
@@ -64,7 +65,7 @@ fn cusps() {
 #[test]
 fn random_curves_in_space() {
     let random = &mut Random::new(51);
-    for _ in 0..40 {
+    for _ in 0..cases(40) {
         let points: [[f64; 3]; 4] =
             core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let curve = Curve::new(QuarticBernstein::new(random.between(-3.0, 1.0)).unwrap(), points);
