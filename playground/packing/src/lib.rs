@@ -15,6 +15,7 @@ mod module;
 #[cfg(target_family = "wasm")]
 mod page;
 mod repetition;
+mod stack;
 mod tape;
 mod tree;
 
@@ -23,12 +24,12 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use coder::{Reader, Writer};
-use mixing::{Bytes, Mixer};
+use mixing::{Bytes, CONTEXTS, Mixer};
 use module::Walk;
 use tape::Tape;
 
 /// Kinds of bytes: each has its own tree of decisions and weights. The last one is for the trees themselves.
-const KINDS: usize = 19;
+const KINDS: usize = 20;
 const SHAPES: usize = KINDS - 1;
 
 /// What is packed is damaged, or ends too early; or what is to be packed is no module as the compiler of the engine
@@ -50,7 +51,7 @@ struct Census(Vec<[u32; 256]>);
 impl Bytes for Census {
     const READS: bool = false;
 
-    fn byte<const N: usize>(&mut self, kind: usize, _: [u32; N], _: usize, _: u8, known: u8) -> u8 {
+    fn byte(&mut self, kind: usize, _: [u32; CONTEXTS], _: usize, _: u8, known: u8) -> u8 {
         self.0[kind][usize::from(known)] += 1;
         known
     }

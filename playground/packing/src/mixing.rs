@@ -1,19 +1,20 @@
 //! Bytes one after the other, each coded by what is expected of it.
 //!
 //! Several contexts give a probability for every binary decision. They are mixed in the logistic domain by weights that
-//! learn as they go, each the sum of three that are chosen in different ways, and an arithmetic coder writes what remains.
+//! learn as they go, each the sum of four that are chosen in different ways, and an arithmetic coder writes what remains.
 //! The scheme is that of the PAQ family, <https://mattmahoney.net/dc/dce.html#Section_43>.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
+use crate::repetition::SURE;
 use crate::tree::{self, Step, Tree};
 use crate::{Damaged, KINDS, SHAPES};
 
-/// The most contexts of a byte.
-pub(crate) const CONTEXTS: usize = 8;
-/// How sure the longest repetition is, as a number below this: it chooses the second set of weights.
-pub(crate) const SURE: usize = 32;
+/// Contexts of a byte.
+pub(crate) const CONTEXTS: usize = 11;
+/// As many numbers as contexts, and further ones that fill a vector of the processor.
+const WIDTH: usize = CONTEXTS.next_multiple_of(4);
 
 /// log2 of the number of slots for what was seen in contexts.
 const BITS: u32 = 22;
@@ -24,45 +25,28 @@ const COUNT: u32 = 0x3f;
 /// One half, never seen.
 const FRESH: u32 = 0x8000_0000;
 const LIMIT: u32 = 16;
-/// How far weights move.
-const LEARN: f32 = 0.003;
+/// How far weights move at first and in the end. With each decision, `SETTLE` of what is between is left behind.
+const LEARN: f32 = 0.006;
+const LEARN_LAST: f32 = 0.0015;
+const SETTLE: f32 = 1.0 / 500_000.0;
 /// Weights at first.
-const WEIGHT: f32 = 0.12;
+const WEIGHT: f32 = 0.1;
 
 /// The logistic function is tabled between -`SPAN` and `SPAN`.
 const SPAN: f32 = 12.0;
 const TABLE: usize = 4096;
 
-/// How much a probability counts that was seen n times: at first it is more certain than it says, and unseen it says nothing.
-const fn confidence(n: usize) -> f32 {
-    match n {
-        0 => 0.0,
-        1 => 1.4,
-        2 => 1.3,
-        3..5 => 1.2,
-        5..8 => 1.1,
-        _ => 1.0,
-    }
-}
-
 /// A weight for each context.
-type Weights = [f32; CONTEXTS];
+type Weights = [f32; WIDTH];
 
 /// What bytes are read from, written to or counted by.
 pub(crate) trait Bytes {
     /// Whether bytes are read rather than known.
     const READS: bool;
 
-    /// A byte of a kind in contexts, with how sure the longest repetition is, and what came before: the one that is read, or
+    /// A byte of a kind in contexts, with how sure repetitions are, and what came before: the one that is read, or
     /// `known`.
-    fn byte<const N: usize>(
-        &mut self,
-        kind: usize,
-        contexts: [u32; N],
-        sure: usize,
-        before: u8,
-        known: u8,
-    ) -> u8;
+    fn byte(&mut self, kind: usize, contexts: [u32; CONTEXTS], sure: usize, before: u8, known: u8) -> u8;
 
     /// Fails where more was read than there was.
     fn check(&self) -> Result<(), Damaged> {
@@ -83,13 +67,14 @@ pub(crate) struct Mixer<C> {
     coder: C,
     trees: Vec<Tree>,
     slots: Vec<u32>,
+    learn: f32,
     by_node: Vec<Weights>,
     by_sure: Vec<Weights>,
     by_before: Vec<Weights>,
+    /// By in how many contexts the decision was never seen.
+    by_fresh: Vec<Weights>,
     stretch: Vec<f32>,
     squash: Vec<f32>,
-    rate: [i32; COUNT as usize + 1],
-    confidence: [f32; COUNT as usize + 1],
 }
 
 /// e^x by powers of a short series, with the same bits on every machine.
@@ -120,13 +105,13 @@ impl<C: Coder> Mixer<C> {
             coder,
             trees: Vec::new(),
             slots: vec![FRESH; 1 << BITS],
-            by_node: vec![[WEIGHT; CONTEXTS]; KINDS * 256],
-            by_sure: vec![[WEIGHT; CONTEXTS]; KINDS * SURE],
-            by_before: vec![[WEIGHT; CONTEXTS]; KINDS * 256],
+            learn: LEARN,
+            by_node: vec![[WEIGHT; WIDTH]; KINDS * 256],
+            by_sure: vec![[WEIGHT; WIDTH]; KINDS * SURE],
+            by_before: vec![[WEIGHT; WIDTH]; KINDS * 256],
+            by_fresh: vec![[0.0; WIDTH]; KINDS * (WIDTH + 1)],
             stretch: stretch.collect(),
             squash: squash.collect(),
-            rate: core::array::from_fn(|n| (65535.0 / (n as f64 + 1.5)) as i32 >> 1),
-            confidence: core::array::from_fn(confidence),
         }
     }
 
@@ -139,7 +124,8 @@ impl<C: Coder> Mixer<C> {
             let mut before = [0; 2];
             for s in 0..256 {
                 let [a, b] = before.map(u32::from);
-                let contexts = [a, a + 16 * b + 256, kind as u32 + 512];
+                let mut contexts = [0; CONTEXTS];
+                contexts[..3].copy_from_slice(&[a, a + 16 * b + 256, kind as u32 + 512]);
                 lengths[s] = self.byte(SHAPES, contexts, 0, 0, known.map_or(0, |all| all[kind][s]));
                 before = [lengths[s], before[0]];
             }
@@ -158,22 +144,16 @@ impl<C: Coder> Mixer<C> {
 impl<C: Coder> Bytes for Mixer<C> {
     const READS: bool = C::READS;
 
-    #[inline(never)] // once for each N
-    fn byte<const N: usize>(
-        &mut self,
-        kind: usize,
-        contexts: [u32; N],
-        sure: usize,
-        before: u8,
-        known: u8,
-    ) -> u8 {
-        let mut base = [0_usize; N];
-        let mut owner = [0_u32; N];
-        for i in 0..N {
-            let h = contexts[i] ^ ((kind * CONTEXTS + i + 1) as u32).wrapping_mul(0x3d4d_51cb);
+    // The loops over WIDTH are such that the compiler makes vectors of them.
+    fn byte(&mut self, kind: usize, contexts: [u32; CONTEXTS], sure: usize, before: u8, known: u8) -> u8 {
+        let mut base = [0; WIDTH];
+        base[..CONTEXTS].copy_from_slice(&contexts);
+        let mut owner = [0; WIDTH];
+        for i in 0..WIDTH {
+            let h = base[i] ^ ((kind * WIDTH + i + 1) as u32).wrapping_mul(0x3d4d_51cb);
             let h = h.wrapping_mul(0x9e37_79b1);
             let h = (h ^ (h >> 15)).wrapping_mul(0x85eb_ca6b);
-            base[i] = (h >> (32 - BITS)) as usize;
+            base[i] = h >> (32 - BITS);
             owner[i] = h.wrapping_mul(0x2545_f491) >> 16 & OWNER;
         }
         let slots: &mut [u32; 1 << BITS] = (&mut self.slots[..]).try_into().expect("as many as there are");
@@ -190,39 +170,54 @@ impl<C: Coder> Bytes for Mixer<C> {
         let mut node = 0;
         loop {
             let by_node = self.by_node.get_mut(kind * 256 + node).expect("a set of weights");
-            let mut place = [0; N];
-            let mut seen = [0; N];
-            let mut stretched = [0.0; CONTEXTS];
-            for i in 0..N {
-                place[i] = ((base[i] ^ node & 15) + (node & !15)) & MASK;
-                let slot = slots[place[i]];
-                let slot = if slot & OWNER == owner[i] { slot } else { FRESH | owner[i] };
-                seen[i] = slot;
-                stretched[i] = stretch[(slot >> 20) as usize] * self.confidence[(slot & COUNT) as usize];
-            }
-            // Four sums, which the processor adds up side by side.
-            let mut sums = [0.0_f32; 4];
+            let mut place = [0; WIDTH];
+            let mut slot = [FRESH; WIDTH];
             for i in 0..CONTEXTS {
-                sums[i % 4] += (by_node[i] + by_sure[i] + by_before[i]) * stretched[i];
+                place[i] = ((base[i] as usize ^ node & 15) + (node & !15)) & MASK;
+                slot[i] = slots[place[i]];
+            }
+            let mut count = [0.0; WIDTH];
+            let mut fresh = 0;
+            for i in 0..WIDTH {
+                slot[i] = if slot[i] & OWNER == owner[i] { slot[i] } else { FRESH | owner[i] };
+                fresh += u32::from(slot[i] & COUNT == 0);
+                count[i] = (slot[i] & COUNT) as f32;
+            }
+            let mut stretched = [0.0; WIDTH];
+            for i in 0..CONTEXTS {
+                stretched[i] = stretch[(slot[i] >> 20) as usize];
+            }
+            for i in 0..WIDTH {
+                stretched[i] *= 1.0 + 0.6 / (count[i] + 0.5); // at first it is more certain than its probability says
+            }
+            let by_fresh =
+                self.by_fresh.get_mut(kind * (WIDTH + 1) + fresh as usize).expect("a set of weights");
+            let mut sums = [0.0_f32; 4];
+            for i in 0..WIDTH {
+                sums[i % 4] += (by_node[i] + by_sure[i] + by_before[i] + by_fresh[i]) * stretched[i];
             }
             let expected = logistic((sums[0] + sums[1]) + (sums[2] + sums[3]));
             let p = (expected * 65536.0) as u32;
             let bit = self.coder.decide(p.clamp(1, 65535), left & 1 == 1);
             left >>= 1;
-            let error = (f32::from(u8::from(bit)) - expected) * LEARN;
-            for i in 0..CONTEXTS {
-                let change = error * stretched[i];
-                by_node[i] += change;
-                by_sure[i] += change;
-                by_before[i] += change;
+            let error = (f32::from(u8::from(bit)) - expected) * self.learn;
+            self.learn += (LEARN_LAST - self.learn) * SETTLE;
+            let change = stretched.map(|x| error * x);
+            for set in [by_node, &mut *by_sure, &mut *by_before, by_fresh] {
+                for (weight, change) in set.iter_mut().zip(change) {
+                    *weight += change;
+                }
             }
             let goal = if bit { 65535 } else { 0 };
-            for i in 0..N {
-                let slot = seen[i];
-                let n = slot & COUNT;
-                let q = (slot >> 16) as i32;
-                let q = q + (((goal - q) * self.rate[n as usize]) >> 15);
-                slots[place[i]] = (q as u32) << 16 | owner[i] | if n < LIMIT { n + 1 } else { n };
+            for i in 0..WIDTH {
+                let rate = (32767.5 / (count[i] + 1.5)) as i32;
+                let p = (slot[i] >> 16) as i32;
+                let p = p + (((goal - p) * rate) >> 15);
+                let more = u32::from(slot[i] & COUNT < LIMIT);
+                slot[i] = ((p as u32) << 16 | slot[i] & 0xffff) + more;
+            }
+            for i in 0..CONTEXTS {
+                slots[place[i]] = slot[i];
             }
             match tree.next[node][usize::from(bit)] {
                 Step::Byte(byte) => return byte,

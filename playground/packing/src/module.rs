@@ -8,8 +8,9 @@ use core::mem;
 
 use crate::Damaged;
 use crate::memory;
-use crate::mixing::Bytes;
+use crate::mixing::{Bytes, CONTEXTS};
 use crate::repetition::{Repetition, both};
+use crate::stack::Stack;
 use crate::tape::Tape;
 
 // Kinds of bytes; NUMBER has five, by the length of the number.
@@ -27,8 +28,11 @@ const LONG: usize = 14;
 const DECLARED: usize = 15;
 const REST: usize = 16;
 const DATA: usize = 17;
+const NEW: usize = 18;
 
 // Sections.
+const TYPE_SECTION: u32 = 1;
+const FUNCTION_SECTION: u32 = 3;
 const CODE_SECTION: u32 = 10;
 const DATA_SECTION: u32 = 11;
 
@@ -45,11 +49,24 @@ pub(crate) struct Walk<'a, B> {
     pub(crate) call: u32,
     pub(crate) function: u32,
     depth: u32,
+    stack: Stack,
     /// Further contexts of an instruction, and of what of it has been coded.
-    around: [u32; 2],
-    /// The last offset from each variable.
+    around: [u32; AROUND],
+    /// The last offset from what each address is made of.
     places: Vec<u32>,
+    /// The last offset.
+    offset: u32,
+    /// The variable that was used after each.
+    next: Vec<u32>,
+    /// The first variable that is no parameter, and of which neither it nor any behind it was used.
+    unused: u32,
 }
+
+/// Contexts of an instruction besides three of its own and those of repetitions.
+const AROUND: usize = CONTEXTS - 5;
+
+/// Variables and addresses that are told apart.
+const TABLE: usize = 1 << 12;
 
 fn push<const N: usize>(all: &mut [u32; N], value: u32) {
     all.copy_within(0..N - 1, 1);
@@ -68,8 +85,12 @@ impl<'a, B: Bytes> Walk<'a, B> {
             call: 0,
             function: 0,
             depth: 0,
-            around: [0; 2],
-            places: vec![0; 1 << 12],
+            stack: Stack::default(),
+            around: [0; AROUND],
+            places: vec![0; TABLE],
+            offset: 0,
+            next: vec![0; TABLE],
+            unused: 0,
         }
     }
 
@@ -77,10 +98,11 @@ impl<'a, B: Bytes> Walk<'a, B> {
         self.tape.into_written()
     }
 
-    /// A byte in the contexts that are given, those around it, and that of the longest repetition.
+    /// A byte in the contexts that are given, those around it, and those of repetitions.
     pub(crate) fn byte(&mut self, kind: usize, [a, b, c]: [u32; 3], known: u8) -> u8 {
-        let [d, e] = self.around;
-        let contexts = [a, b, c, d, e, self.repetition.expected()];
+        let [d, e, f, g, h, i] = self.around;
+        let [j, k] = self.repetition.expected();
+        let contexts = [a, b, c, d, e, f, g, h, i, j, k];
         self.bytes.byte(kind, contexts, self.repetition.sure(), self.operations[0] as u8, known)
     }
 
@@ -146,16 +168,25 @@ impl<'a, B: Bytes> Walk<'a, B> {
             if B::READS {
                 self.tape.put_number(length);
             }
-            self.plain_bytes(if id == DATA_SECTION { DATA } else { REST }, length)?;
+            let section = self.plain_bytes(if id == DATA_SECTION { DATA } else { REST }, length)?;
+            // Where they are damaged, contexts are worse, and both sides have the same.
+            let _ = match id {
+                TYPE_SECTION => self.stack.types(&section),
+                FUNCTION_SECTION => self.stack.functions(&section),
+                _ => None,
+            };
         }
     }
 
     /// Bytes that are no instructions.
-    fn plain_bytes(&mut self, kind: usize, count: u32) -> Result<(), Damaged> {
+    fn plain_bytes(&mut self, kind: usize, count: u32) -> Result<Vec<u8>, Damaged> {
+        let mut bytes = Vec::new();
         let mut before = 0_u64;
         let mut word = 0_u32;
+        let mut word_before = 0_u32;
         for k in 0..count {
             let last = before as u32;
+            let [shorter, longer] = self.repetition.expected();
             let contexts = [
                 last & 0xff,
                 last & 0xffff,
@@ -164,22 +195,29 @@ impl<'a, B: Bytes> Walk<'a, B> {
                 both(last, (before >> 32) as u32 & 0xffff),
                 both(last >> 24 | (before >> 48) as u32 & 0xff00, k & 3),
                 both(word, last & 0xff),
-                self.repetition.expected(),
+                both(word, word_before),
+                both(last >> 8 & 0xffff, 0),
+                shorter,
+                longer,
             ];
             let known = if B::READS { 0 } else { self.tape.next()? };
             let byte = self.bytes.byte(kind, contexts, self.repetition.sure(), last as u8, known);
             if B::READS {
                 self.tape.put(byte);
             }
+            bytes.push(byte);
             self.repetition.push(u32::from(byte));
             self.repetition.look();
             before = before << 8 | u64::from(byte);
             let letter = byte.is_ascii_alphabetic() || byte >= 128;
+            if !letter && word != 0 {
+                word_before = word;
+            }
             word = if letter { word.wrapping_add(u32::from(byte)).wrapping_mul(0x2f0b_4c47) } else { 0 };
             self.bytes.check()?;
             self.tape.check()?;
         }
-        Ok(())
+        Ok(bytes)
     }
 
     /// The code. How long it and its functions are follows from their instructions.
@@ -207,10 +245,14 @@ impl<'a, B: Bytes> Walk<'a, B> {
 
     /// One function: its variables, and instructions up to the end of the outermost block.
     fn body(&mut self) -> Result<(), Damaged> {
+        self.unused = self.stack.parameters(self.function);
         self.function += 1;
         self.places.fill(0);
+        self.next.fill(0);
         self.operations = [0; 6];
         self.seen = [0; 3];
+        self.stack.clear();
+        self.around = [0; AROUND];
         let mut declared = [0; 2];
         let groups = self.declared(&mut declared)?;
         for _ in 0..groups {
@@ -239,42 +281,65 @@ impl<'a, B: Bytes> Walk<'a, B> {
     /// One instruction; a number for it with what belongs to it.
     fn instruction(&mut self) -> Result<u32, Damaged> {
         let [o1, o2, o3, o4, o5, o6] = self.operations;
-        let [s1, s2, _] = self.seen;
+        let [s1, s2, s3] = self.seen;
         let [v1, v2] = self.variables;
         let f = self.function;
+        let [t1, t2] = self.stack.top();
+        let top = both(t1, self.stack.height().min(6) as u32);
         let h2 = both(o1, o2);
         let h3 = both(h2, o3);
         let h4 = both(h3, o4);
         let near = both(s1, s2);
+        let far = both(near, s3);
         let contexts = [both(h4, both(o5, o6)), s1, near];
-        self.around = [h2, both(h3, s1)];
+        self.around = [h2, top, far, both(h4, s1), both(f, top), 0];
         let (sign, op) = self.operation(contexts)?;
         let sign = u32::from(sign);
         push(&mut self.operations, sign);
-        self.around = [both(both(sign, o1), both(o2, o3)), both(sign, both(s1, f))];
         // What follows is coded in contexts of this operation and those before it.
         let at2 = both(sign, o1);
         let at3 = both(at2, o2);
+        let [near_here, far_here] = [near, far].map(|c| both(c, sign));
+        self.around = [both(at3, o3), both(sign, top), far_here, 0, 0, 0];
         let mut of = 0;
+        let mut kind = 0;
         match op {
             0x20..=0x22 => {
-                let contexts = [both(sign, both(v1, v2)), both(f, sign), both(near, sign)];
-                of = self.leb(VARIABLE, VARIABLE, contexts)?;
+                let place = v1 as usize % TABLE;
+                let pair = both(sign, both(v1, v2));
+                self.around[3] = both(f, pair);
+                self.around[4] = both(self.next[place], both(v1, sign));
+                self.around[5] = both(sign, self.unused);
+                of = self.variable(op, [pair, both(f, sign), near_here])?;
+                self.next[place] = of;
                 push(&mut self.variables, of);
             }
             0x28..=0x3e => {
-                let place = v1 as usize % self.places.len();
-                let contexts = [both(at2, both(v1, f)), at3, both(sign, both(v1, self.places[place]))];
+                // Of stores, the value lies above the address.
+                let address = if op < 0x36 { t1 } else { t2 };
+                let place = address as usize % TABLE;
+                let contexts = [both(at2, both(v1, f)), at3, both(sign, both(address, self.places[place]))];
+                self.around[3] = both(sign, both(self.offset, address));
+                self.around[4] = both(f, both(sign, address));
                 of = self.leb(OFFSET, OFFSET_MORE, contexts)?;
                 self.places[place] = of;
+                self.offset = of;
             }
-            0x41 => of = self.constant()?,
-            0x10 => of = self.called()?,
+            0x41 => {
+                self.around[3] = both(f, both(o1, t1));
+                self.around[4] = both(f, self.offset);
+                of = self.constant()?;
+            }
+            0x10 => {
+                self.around[3] = both(f, o1);
+                self.around[4] = both(t1, t2);
+                of = self.called()?;
+            }
             0x0c | 0x0d => of = self.jump(at3)?,
             0x0b => self.depth -= 1,
             0x02..=0x04 => {
                 self.depth += 1;
-                self.kind(at2, at3)?;
+                kind = self.kind(at2, at3)?;
             }
             0x0e => {
                 let count = self.jump(at3)?;
@@ -286,25 +351,54 @@ impl<'a, B: Bytes> Walk<'a, B> {
                 }
             }
             0x11 => {
-                self.kind(at2, at3)?;
+                kind = self.kind(at2, at3)?;
                 self.kind(0, 0)?;
             }
             0x42 => {
                 self.leb(LONG, LONG, [o1, both(o1, o2), s1])?;
             }
-            0x23 | 0x24 | 0x3f | 0x40 => self.kind(at2, at3)?,
+            0x23 | 0x24 | 0x3f | 0x40 => {
+                self.kind(at2, at3)?;
+            }
             0x43 => self.some(4)?,
             0x44 => self.some(8)?,
-            0xfc => match self.leb(LONG, LONG, [o1; 3])? {
-                0..=7 => {}
-                10 => self.some(2)?, // memory.copy
-                11 => self.some(1)?, // memory.fill
-                _ => return Err(Damaged),
-            },
+            0xfc => {
+                of = self.leb(LONG, LONG, [o1; 3])?;
+                match of {
+                    0..=7 => {}
+                    10 => self.some(2)?, // memory.copy
+                    11 => self.some(1)?, // memory.fill
+                    _ => return Err(Damaged),
+                }
+            }
             0x00 | 0x01 | 0x05 | 0x0f | 0x1a | 0x1b | 0x45..=0xc4 => {}
             _ => return Err(Damaged),
         }
-        Ok(if of == 0 && !(0x20..=0x41).contains(&op) { sign } else { both(sign, of) })
+        let seen = if of == 0 && !(0x20..=0x41).contains(&op) { sign } else { both(sign, of) };
+        self.stack.instruction(op, seen, of, kind);
+        Ok(seen)
+    }
+
+    /// The number of a variable. Those that are set are first asked whether they are new: mostly, they are numbered in
+    /// the order in which they are set.
+    fn variable(&mut self, op: u8, contexts: [u32; 3]) -> Result<u32, Damaged> {
+        let unused = self.unused;
+        if op != 0x20 {
+            let known = !B::READS && self.tape.next_number()? == unused;
+            if self.byte(NEW, contexts, u8::from(known)) != 0 {
+                if B::READS {
+                    self.tape.put_number(unused);
+                } else {
+                    self.tape.number()?;
+                }
+                self.repetition.push(u32::MAX);
+                self.unused = unused.saturating_add(1);
+                return Ok(unused);
+            }
+        }
+        let variable = self.leb(VARIABLE, VARIABLE, contexts)?;
+        self.unused = unused.max(variable.saturating_add(1));
+        Ok(variable)
     }
 
     /// An operation: its number where it is packed, and in the module.
@@ -337,8 +431,8 @@ impl<'a, B: Bytes> Walk<'a, B> {
     }
 
     /// What a block leaves, or another number that mostly is the same.
-    fn kind(&mut self, near: u32, far: u32) -> Result<(), Damaged> {
-        self.leb(KIND, KIND, [near, far, 0]).map(drop)
+    fn kind(&mut self, near: u32, far: u32) -> Result<u32, Damaged> {
+        self.leb(KIND, KIND, [near, far, 0])
     }
 
     /// Bytes without a pattern.

@@ -37,6 +37,14 @@ impl Tape {
         Err(Damaged)
     }
 
+    /// The number that comes next, which stays on the tape.
+    pub(crate) fn next_number(&mut self) -> Result<u32, Damaged> {
+        let at = self.at;
+        let number = self.number();
+        self.at = at;
+        number
+    }
+
     pub(crate) fn ended(&self) -> bool {
         self.at >= self.bytes.len()
     }

@@ -125,7 +125,10 @@ fn section(out: &mut Vec<u8>, id: u8, content: &[u8]) {
 /// A module that is well formed, though it may not be valid.
 fn module(random: &mut Random) -> Vec<u8> {
     let mut out = b"\0asm\x01\0\0\0".to_vec();
-    section(&mut out, 1, &[1, 0x60, 0, 0]);
+    // Functions of some types, and more calls than there are functions.
+    section(&mut out, 1, &[3, 0x60, 0, 0, 0x60, 2, 0x7f, 0x7e, 1, 0x7f, 0x60, 1, 0x7f, 2, 0x7f, 0x7f]);
+    let types: Vec<u8> = (0..20).map(|_| random.below(4) as u8).collect();
+    section(&mut out, 3, &[&[20], &types[..]].concat());
     let mut code = Vec::new();
     let functions: Vec<Vec<u8>> = (0..random.below(20))
         .map(|_| {
@@ -170,6 +173,48 @@ fn repetitions_take_next_to_nothing() {
     let packed = pack(&module).unwrap();
     assert_eq!(unpack(&packed).as_ref(), Ok(&module));
     assert!(packed.len() < 400, "{} of {} bytes", packed.len(), module.len());
+}
+
+/// A module with one function, which has two parameters and sets so many variables to 0, each `by` further than the one
+/// before it.
+fn setting(count: u64, by: u64) -> Vec<u8> {
+    let mut module = b"\0asm\x01\0\0\0".to_vec();
+    section(&mut module, 1, &[1, 0x60, 2, 0x7f, 0x7f, 0]);
+    section(&mut module, 3, &[1, 0]);
+    let mut body = vec![0];
+    for k in 0..count {
+        body.extend([0x41, 0, 0x21]);
+        unsigned(&mut body, 2 + (k * by) % count);
+    }
+    body.push(0x0b);
+    let mut code = vec![1];
+    unsigned(&mut code, body.len() as u64);
+    code.extend(&body);
+    section(&mut module, 10, &code);
+    module
+}
+
+#[test]
+fn variables_in_the_order_in_which_they_are_set_take_next_to_nothing() {
+    let [ordered, mixed] = [1, 577].map(|by| setting(1000, by)).map(|module| {
+        let packed = pack(&module).unwrap();
+        assert_eq!(unpack(&packed).as_ref(), Ok(&module));
+        packed.len()
+    });
+    assert!(ordered < 250 && ordered * 3 < mixed, "{ordered} and {mixed} bytes");
+}
+
+#[test]
+fn types_that_are_damaged_are_packed_as_they_are() {
+    for (types, functions) in
+        [(&[9, 0x60][..], &[1, 7][..]), (&[], &[]), (&[1, 0x60, 0x80, 0x80, 0x80, 0x80, 0x80], &[2, 0])]
+    {
+        let mut module = b"\0asm\x01\0\0\0".to_vec();
+        section(&mut module, 1, types);
+        section(&mut module, 3, functions);
+        section(&mut module, 10, &[1, 8, 0, 0x41, 0, 0x21, 0, 0x10, 9, 0x0b]);
+        assert_eq!(unpack(&pack(&module).unwrap()), Ok(module));
+    }
 }
 
 #[test]
