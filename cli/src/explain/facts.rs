@@ -257,17 +257,16 @@ fn extrema(facts: explain::Extrema) -> ExtremaFacts {
 
 impl FamilyFacts {
     /// What follows from the formulas of a family, on one span if it has several; its claims are those in `checked`, `next`
-    /// is its next order, and `conversions` are matrices to and from another family.
+    /// is its next order, `conversions` are matrices to and from another family, and `rounding` the bounds of its rounding errors.
     pub(super) fn new(
         library: &Library<'_>,
-        family: &Family,
-        span: &Family,
+        (family, span): (&Family, &Family),
         checked: Option<&Checked>,
         next: Option<&Family>,
         conversions: &[explain::Matrix],
+        rounding: &[(String, String)],
     ) -> Self {
         let set = explain::exceptional_set(family);
-        let rounding = explain::rounding(family);
         let all_extrema = explain::extrema(span);
         let function = |facts: FunctionFacts| {
             let FunctionFacts { label, factored, expanded, bernstein, .. } = facts;
@@ -292,7 +291,10 @@ impl FamilyFacts {
             dependent: set.exceptions.iter().map(|e| explain::describe_exception(family, e)).collect(),
             dependent_open: set.open,
             rounding_assumes: rounding::assumed(family).filter(|_| !rounding.is_empty()),
-            rounding: rounding.into_iter().map(|(of, bound)| Rounding { of, bound }).collect(),
+            rounding: rounding
+                .iter()
+                .map(|(of, bound)| Rounding { of: of.clone(), bound: bound.clone() })
+                .collect(),
             contacts: explain::contacts(span).into_iter().map(contact).collect(),
             matrices: conversions.iter().chain(&explain::matrices(library, span, next)).map(matrix).collect(),
             matrices_open: explain::matrices_left_out(span),

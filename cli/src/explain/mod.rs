@@ -97,10 +97,12 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
         // On several spans each has formulas of its own; claims are about all of them, and stand with the first one.
         let spans =
             if family.pieces.is_empty() { core::slice::from_ref(&family) } else { &family.pieces[..] };
+        let mut rounding = Vec::new();
+        run.counted_work(&mut || rounding = explain::rounding(&family));
         for (k, span) in spans.iter().enumerate() {
             let checked = checked.as_ref().filter(|_| k == 0);
             let facts = run.counted_work(&mut || {
-                FamilyFacts::new(&library, &family, span, checked, next.as_deref(), &conversions)
+                FamilyFacts::new(&library, (&family, span), checked, next.as_deref(), &conversions, &rounding)
             });
             all.push(Facts::Family(Box::new(facts)));
         }

@@ -19,14 +19,8 @@ mod rounding;
 #[path = "no_rounding.rs"]
 mod rounding;
 mod rust;
-#[cfg(feature = "angles")]
-mod series;
-#[cfg(not(feature = "angles"))]
-#[path = "no_series.rs"]
-mod series;
 
 use std::borrow::Cow;
-use std::rc::Rc;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
@@ -34,10 +28,9 @@ use quote::quote_spanned;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
-use crate::model::angle::tangents::in_tangents;
-use crate::plan::evaluated;
 use crate::plan::interval::form::{IntervalForm, RationalForm};
 use crate::plan::reach::{self, Reach};
+use crate::plan::{evaluated, series};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
 #[cfg(any(test, feature = "tools"))]
@@ -105,38 +98,26 @@ fn in_evaluated_form(family: &Family) -> Result<Cow<'_, Family>, Diagnostic> {
     if let Some(reason) = evaluated::missing(family) {
         return Err(error(reason));
     }
-    if evaluated::is_mixed(family) {
-        return series::in_polynomials(family).map(Cow::Owned).ok_or_else(|| {
-            if let Some((name, range)) = series::longest(family) {
-                let message = format!(
-                    "no code is generated for `{}` with all values of `{name}` in its range: beside its sine or exponential the domain \
-                     variable is computed from power series in `{name}`, which do not end for large values",
-                    family.title()
-                );
-                let error = Diagnostic::error(family.place.clone(), message);
-                return error.help(format!("end the range of `{name}` earlier: `shape {range};`"));
-            }
-            error(
-                "no code is generated yet for families with the domain variable beside its sine or exponential and sines of it in \
-                 a denominator, of too high a degree, or with an end of the domain that is not a multiple of one shape parameter",
-            )
-        });
-    }
-    let evaluated = in_tangents(family).ok_or_else(|| {
-        error("no code is generated for parameters in `exp`, `sinh` or `cosh` with ranges that end in these numbers")
-    })?;
-    Ok(if family.analytic.roots.is_empty() { evaluated } else { Cow::Owned(vanishing(&evaluated)) })
-}
-
-/// The family with numerators that vanish as polynomials at the ends of the domain wherever the functions do, although these ends
-/// are made of tan(π/n).
-fn vanishing(family: &Family) -> Family {
-    let mut result = family.clone();
-    for f in &mut result.functions {
-        f.value = family.analytic.reduced(f.value.clone());
-    }
-    result.pieces = family.pieces.iter().map(|piece| Rc::new(vanishing(piece))).collect();
-    result
+    evaluated::form(family).ok_or_else(|| {
+        if !evaluated::is_mixed(family) {
+            return error(
+                "no code is generated for parameters in `exp`, `sinh` or `cosh` with ranges that end in these numbers",
+            );
+        }
+        if let Some((name, range)) = series::longest(family) {
+            let message = format!(
+                "no code is generated for `{}` with all values of `{name}` in its range: beside its sine or exponential the domain \
+                 variable is computed from power series in `{name}`, which do not end for large values",
+                family.title()
+            );
+            let error = Diagnostic::error(family.place.clone(), message);
+            return error.help(format!("end the range of `{name}` earlier: `shape {range};`"));
+        }
+        error(
+            "no code is generated yet for families with the domain variable beside its sine or exponential and sines of it in \
+             a denominator, of too high a degree, or with an end of the domain that is not a multiple of one shape parameter",
+        )
+    })
 }
 
 /// The error for a family with too many coefficients.

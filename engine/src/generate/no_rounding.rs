@@ -8,7 +8,7 @@ use crate::model::Family;
 pub(super) fn bounds(_: &Family) {}
 
 /// No bounds.
-pub(super) fn of_quotients(_: &Family, _: &Family) {}
+pub(super) fn of_told(_: &Family, _: &Family) {}
 
 /// Nothing: the trait has constants for types without bounds.
 pub(super) fn constants((): &(), _: &TokenStream) -> TokenStream {

@@ -37,7 +37,7 @@ pub(super) fn emit(
         pieces.map(|(piece, form)| OnSpan { shell, family: piece, form, runtime }).listed()
     };
     let emitter = Emitter { shell, spans };
-    let proved = rounding::of_quotients(told, family);
+    let proved = rounding::of_told(told, family);
     let (which, basis) = emitter.basis(&shell.core(), &rounding::constants(&proved, runtime));
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]

@@ -14,7 +14,8 @@
 //! | `join` | the control points that a join of a spec determines |
 //! | `scalars`, `powers` | what these are built of: expressions in shape values, powers of coordinates |
 //! | `corners` | differences that have no digits where exponentials are large |
-//! | `evaluated` | which families have evaluators |
+//! | `evaluated` | which families have evaluators, and in which form they are evaluated |
+//! | `series` | polynomials in place of functions in which a variable stands beside its sine |
 //! | `digits` | numbers as sums of floats |
 //! | `sign` | which values rounding could make negative |
 //! | `reach` | the shape values beyond which exponentials overflow |
@@ -35,6 +36,11 @@ pub mod patch;
 mod powers;
 pub mod reach;
 mod scalars;
+#[cfg(feature = "angles")]
+pub(crate) mod series;
+#[cfg(not(feature = "angles"))]
+#[path = "no_series.rs"]
+pub(crate) mod series;
 mod sign;
 
 use crate::algebra::rational::Rational;

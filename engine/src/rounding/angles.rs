@@ -19,7 +19,7 @@
 //! has the ends of a domain in two parts instead of three.
 
 use super::exact::{is_float, is_power_of_two};
-use super::{Inputs, least_multiple, rest};
+use super::{Inputs, least_multiple, rest, with_points};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
@@ -29,6 +29,7 @@ use crate::model::{Family, Parameter};
 use crate::plan::Input;
 use crate::plan::interval::form::RationalForm;
 use crate::plan::interval::rational;
+use crate::steps::point::{Association, of_curve};
 use crate::steps::{Builder, Function, Step, Steps, elementary, sums};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -107,33 +108,55 @@ impl OnCoordinates {
     /// Those of a span, in parts of it on which the runtime does the same. `None` where nothing is known of how far the
     /// coordinates or tangents are off.
     pub(super) fn new(family: &Family, form: &RationalForm) -> Option<Vec<Self>> {
-        let angle = family.analytic.angle(form.numerators.var);
-        let ends = match angle {
-            Some(angle) => [end(family, angle, 0)?, end(family, angle, 1)?],
-            None => [&form.numerators.low, &form.numerators.high].map(|end| number(end.clone())),
-        };
         if !form.divides(family) {
-            // Where both coordinates are nearly the same, either may be the smaller one of the floats.
-            let beyond = &Rational::new(1, 2) + &Rational::new(1, 1 << 10);
-            let parts = [(&Rational::ONE - &beyond, Rational::ONE), (Rational::ZERO, beyond)];
+            let off = linear(&ends(family, form)?);
             let mut all = Vec::new();
-            for (k, (low, high)) in parts.into_iter().enumerate() {
+            for (k, half) in halves().into_iter().enumerate() {
                 let steps = in_coordinate(k, family, form);
-                let inputs = inputs(family, &steps, &linear(&ends), Range::closed(low, high))?;
+                let inputs = inputs(family, &steps, &off, half, 0)?;
                 all.push(Self { steps, inputs });
             }
             return Some(all);
         }
         let mut builder = Builder::without_scales();
         let outputs = builder.plan(&rational::values(family, form));
-        let steps = builder.finish(&outputs);
-        let off = match angle.filter(|angle| angle.kind != Kind::Linear) {
-            Some(_) if !is_homogeneous(&steps) => return None,
-            Some(angle) if angle.kind == Kind::Circular => circular(angle, &ends)?,
-            Some(angle) => hyperbolic(angle, &ends)?,
-            None => linear(&ends),
-        };
-        Some(vec![Self { inputs: inputs(family, &steps, &off, Range::unit())?, steps }])
+        Some(vec![Self::of(builder.finish(&outputs), family, form, 0)?])
+    }
+
+    /// The point of a curve on a span, with the binding of its control points.
+    pub(super) fn of_point(family: &Family, form: &RationalForm, association: Association) -> Option<Self> {
+        Self::of(of_curve(family, form, association), family, form, form.numerators.len())
+    }
+
+    /// Steps in the coordinates, and in that many control points.
+    pub(super) fn of(steps: Steps, family: &Family, form: &RationalForm, points: usize) -> Option<Self> {
+        let off = off(family, form, &steps)?;
+        Some(Self { inputs: inputs(family, &steps, &off, Range::unit(), points)?, steps })
+    }
+}
+
+/// Where s, and where x, is the smaller one of both coordinates: where they are nearly the same, either may be that of the floats.
+fn halves() -> [Range; 2] {
+    let beyond = &Rational::new(1, 2) + &Rational::new(1, 1 << 10);
+    [Range::closed(&Rational::ONE - &beyond, Rational::ONE), Range::closed(Rational::ZERO, beyond)]
+}
+
+/// The ends of a span.
+fn ends(family: &Family, form: &RationalForm) -> Option<[End; 2]> {
+    Some(match family.analytic.angle(form.numerators.var) {
+        Some(angle) => [end(family, angle, 0)?, end(family, angle, 1)?],
+        None => [&form.numerators.low, &form.numerators.high].map(|end| number(end.clone())),
+    })
+}
+
+/// How many u both coordinates are off, if steps are made of them.
+pub(super) fn off(family: &Family, form: &RationalForm, steps: &Steps) -> Option<[Rational; 2]> {
+    let ends = ends(family, form)?;
+    match family.analytic.angle(form.numerators.var).filter(|angle| angle.kind != Kind::Linear) {
+        Some(_) if !is_homogeneous(steps) => None,
+        Some(angle) if angle.kind == Kind::Circular => circular(angle, &ends),
+        Some(angle) => hyperbolic(angle, &ends),
+        None => Some(linear(&ends)),
     }
 }
 
@@ -158,13 +181,20 @@ fn in_coordinate(k: usize, family: &Family, form: &RationalForm) -> Steps {
 }
 
 /// The inputs of the steps; `None` where a shape parameter stands beside its tangent, or nothing is known of a tangent.
-fn inputs(family: &Family, steps: &Steps, coordinates: &[Rational; 2], place: Range) -> Option<Inputs> {
+pub(super) fn inputs(
+    family: &Family,
+    steps: &Steps,
+    coordinates: &[Rational; 2],
+    place: Range,
+    points: usize,
+) -> Option<Inputs> {
     let angles = &family.analytic.angles;
     let shapes = family.shapes.len();
     let mut ranges: Vec<(Var, Range)> = family.shapes.mapped(|p| (p.var, p.range.clone()));
     let first = ranges.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
     let y = Var(first);
     ranges.push((y, place));
+    let points = with_points(&mut ranges, points);
     let mut off = Vec::new();
     for input in steps.inputs() {
         let (value, weight) = match input {
@@ -182,19 +212,13 @@ fn inputs(family: &Family, steps: &Steps, coordinates: &[Rational; 2], place: Ra
                 }
                 continue;
             }
+            Input::Point(_) => continue,
             _ => return None,
         };
         off.push((input, value, in_all(&weight)));
     }
     let shapes = family.shapes.mapped(|p| p.var);
-    Some(Inputs {
-        region: Region { ranges },
-        shapes,
-        coordinates: vec![y],
-        points: Vec::new(),
-        ones: false,
-        off,
-    })
+    Some(Inputs { region: Region { ranges }, shapes, coordinates: vec![y], points, ones: false, off })
 }
 
 /// With what is of higher order, rounded up to a number of few digits.

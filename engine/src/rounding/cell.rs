@@ -6,7 +6,7 @@ use basis_kernel::Domain;
 
 use crate::algebra::bernstein::{Form, Side};
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{Range, Region};
+use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use basis_prover::collections::list::Listed;
@@ -21,7 +21,7 @@ const MOST: u64 = 64;
 
 impl Cell {
     /// The cells of a grid that cuts the range of each of some variables into a number of equal parts, or fewer when
-    /// these would be too many cells. A range without end is not cut.
+    /// these would be too many cells. A range without end is cut at 0, if that is inside, and nowhere else.
     pub(super) fn grid(region: &Region, cuts: &[(Var, u32)]) -> Vec<Self> {
         let mut most = cuts.iter().map(|(_, count)| *count).max().unwrap_or(1);
         let size = |most: u32| {
@@ -99,17 +99,25 @@ impl Cell {
 /// A region in equal parts along a variable.
 fn parts(region: &Region, var: Var, count: i64) -> Vec<Region> {
     let range = region.range(var);
-    let Some((low, high)) = range.finite() else { return vec![region.clone()] };
-    let at = |k: i64| low + &(&(high - low) * &Rational::new(k, count));
-    let mut all = Vec::new();
-    for k in 0..count {
+    let with = |own: Range| {
         let mut part = region.clone();
         for (v, range) in &mut part.ranges {
             if *v == var {
-                *range = Range::closed(at(k), at(k + 1));
+                *range = own.clone();
             }
         }
-        all.push(part);
-    }
-    all
+        part
+    };
+    let Some((low, high)) = range.finite() else {
+        let zero = Rational::ZERO;
+        let is_inside = range.low.value().is_none_or(Rational::is_negative)
+            && range.high.value().is_none_or(Rational::is_positive);
+        if !is_inside || count < 2 {
+            return vec![region.clone()];
+        }
+        let below = Range { low: range.low.clone(), high: End::Included(zero.clone()) };
+        return vec![with(below), with(Range { low: End::Included(zero), high: range.high.clone() })];
+    };
+    let at = |k: i64| low + &(&(high - low) * &Rational::new(k, count));
+    (0..count).map(|k| with(Range::closed(at(k), at(k + 1)))).listed()
 }

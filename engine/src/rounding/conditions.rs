@@ -2,6 +2,7 @@
 
 use super::cell::Cell;
 use super::exact::{Exact, Rounds};
+use super::least_multiple;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
@@ -29,13 +30,22 @@ impl Conditions<'_> {
         Some(p)
     }
 
-    /// |p|, or where p changes its sign on the cell, as t² − ω(1 − t)² does for ω > 0, a multiple of q that is not less.
+    /// |p|, or where p changes its sign on the cell, as t² − ω(1 − t)² does for ω > 0, what is not less: a multiple m·q, or where
+    /// there is one on one side only, as for ω itself on −1 < ω, p + 2m·q with −p ≤ m·q.
     pub(super) fn size(&mut self, p: &Poly, q: &Poly, work: &mut Work) -> Option<Poly> {
         if let Some(size) = self.absolute(p, work) {
             return Some(size);
         }
-        let most = self.largest(p, q, work)?;
-        Some(q.scale(&most))
+        if let Some(most) = self.largest(p, q, work) {
+            return Some(q.scale(&most));
+        }
+        for p in [p.clone(), -p] {
+            if let Some(most) = self.cell.ratio(&-&p, q, work) {
+                self.add(&p + &q.scale(&most));
+                return Some(&p + &q.scale(&(&most * &Rational::from(2))));
+            }
+        }
+        None
     }
 
     /// Whether a step does not round on the cell.
@@ -56,10 +66,18 @@ impl Conditions<'_> {
         Some(false)
     }
 
+    /// A number m ≥ 0 with p ≤ m·q.
+    pub(super) fn most(&mut self, p: &Poly, q: &Poly, work: &mut Work) -> Option<Rational> {
+        let most = least_multiple(&self.cell.ratio(p, q, work)?, 1 << 20);
+        self.add(&q.scale(&most) - p);
+        Some(most)
+    }
+
     /// A number m with |p| ≤ m·q.
     pub(super) fn largest(&mut self, p: &Poly, q: &Poly, work: &mut Work) -> Option<Rational> {
         let (above, below) = (self.cell.ratio(p, q, work)?, self.cell.ratio(&-p, q, work)?);
         let most = if above > below { above } else { below };
+        let most = least_multiple(&most, 1 << 20);
         let scaled = q.scale(&most);
         self.add(&scaled - p);
         self.add(&scaled + p);

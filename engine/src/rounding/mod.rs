@@ -20,6 +20,9 @@
 //! nothing overflows; each product that underflows is off by half the smallest float, which a division after it may
 //! enlarge.
 //!
+//! Where a variable stands beside its sine, polynomials are evaluated in place of the functions; file `series`. Points of curves over
+//! quotients, in all orders in which they are computed: file `curve`.
+//!
 //! Sines, exponentials and the like are assumed to be within one unit in the last place; what comes out of them are inputs
 //! that are off; file `angles`. Where a float is that of an end such as π/2, the value is the one at the end.
 //!
@@ -30,10 +33,13 @@ mod absolute;
 mod angles;
 mod cell;
 mod conditions;
+mod curve;
 mod exact;
+mod majorant;
 mod net;
 mod relative;
 mod rest;
+mod series;
 
 use std::rc::Rc;
 
@@ -46,10 +52,10 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::plan::Input;
-use crate::plan::evaluated::is_evaluated;
+use crate::plan::evaluated::{self, is_evaluated};
 use crate::plan::interval::form::RationalForm;
 use crate::steps::{FamilySteps, Steps};
-use absolute::Absolute;
+use absolute::{Absolute, MOST_SIGNED};
 use angles::OnCoordinates;
 pub use angles::{NEAREST, assumed, has_ends_beside_floats, needs_functions};
 use cell::Cell;
@@ -162,9 +168,13 @@ impl Bound {
 /// Bounds of the errors of the values of all functions; `None` for one without. On several spans a function has one bound
 /// for all of them.
 ///
-/// `None` in place of a list when the work is spent, the family is too large to be generated, has an angle beside its
-/// sine, or an end that is computed otherwise than as a sum of multiples of shape parameters.
+/// `None` in place of a list when the work is spent, the family is too large to be generated, or has an end that is computed
+/// otherwise than as a sum of multiples of shape parameters.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
+    let family = &*evaluated::form(family)?;
+    if series::is_series(family) {
+        return series::values(family);
+    }
     let spans = spans(family)?;
     basis_prover::working(family.budget, &mut |work| {
         let mut exact = Vec::new();
@@ -226,22 +236,59 @@ fn without_angles(family: &Family) -> Option<FamilySteps<'_>> {
 ///
 /// `None` when the work is spent or nothing is found.
 pub fn point(family: &Family) -> Option<Bound> {
-    let form = without_angles(family).filter(|steps| steps.spans() == 1)?;
+    let family = &*evaluated::form(family)?;
+    if RationalForm::is_of(family) {
+        return curve::point(family);
+    }
+    let form = FamilySteps::new(family)?;
     let Some(curve) = form.curve(1) else {
         return basis_prover::working(family.budget, &mut |work| net::patch_point(family, &form, work));
     };
     let steps = form.on_control_points(&curve);
-    basis_prover::working(family.budget, &mut |work| {
-        let inputs = Inputs::of(family, family.functions.len());
-        let mut exact = Exact::new(&steps, &inputs)?;
-        let output = *steps.outputs.first()?;
-        let cuts = |variables: &[Var], count: u32| variables.mapped(|v| (*v, count));
-        let counts = [cuts(&inputs.coordinates, 8), cuts(&inputs.shapes, 4)].concat();
-        let cells = Cell::grid(&inputs.region, &counts);
-        let absolute = Absolute::new(&mut exact, output, &inputs.points, work)?;
-        let parts = on_each(&cells, &mut |cell| absolute.on(&mut exact, cell, work))?;
-        Some(rounded_up(parts, Error::Absolute, &Rational::ZERO))
-    })
+    let inputs = Inputs::of(family, family.functions.len());
+    let parts = basis_prover::working(family.budget, &mut |work| {
+        of_points(&steps, &inputs, MOST_SIGNED, work.left(), work)
+    });
+    Some(rounded_up(parts?, Error::Absolute, &Rational::ZERO))
+}
+
+/// Bounds of the error of steps that are linear in control points, with a share of the work: with the worst signs of the control
+/// points, if these are few and there is enough of it, else with those of each step by itself; on many cells or on few.
+fn of_points(
+    steps: &Steps,
+    inputs: &Inputs,
+    most_signed: usize,
+    share: u64,
+    work: &mut Work,
+) -> Option<Parts> {
+    let is_signed = inputs.points.len() <= most_signed;
+    let ways = [(most_signed, 8), (0, 8), (0, 4), (0, 1)];
+    let ways = ways.into_iter().skip(usize::from(!is_signed)).listed();
+    for (k, (signed, count)) in ways.iter().enumerate() {
+        // What a way did not take is left for the others.
+        let (parts, of) = if k + 1 < ways.len() { (3, 4) } else { (1, 1) };
+        let own = share.min(work.left()) / of * parts;
+        let found = with_share(work, own, &mut |work| on_points(steps, inputs, *signed, *count, work));
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
+}
+
+/// The same in one way: with all signs of up to so many points, on cells of which there are `count` along the domain.
+fn on_points(
+    steps: &Steps,
+    inputs: &Inputs,
+    most_signed: usize,
+    count: u32,
+    work: &mut Work,
+) -> Option<Parts> {
+    let mut exact = Exact::new(steps, inputs)?;
+    let output = *steps.outputs.first()?;
+    let cells = inputs.cells(count, count.div_ceil(2));
+    let absolute = Absolute::new(&mut exact, output, &inputs.points, most_signed, work)?;
+    on_each(&cells, &mut |cell| absolute.on(&mut exact, cell, work))
 }
 
 /// The steps of the values on one span.
@@ -254,14 +301,17 @@ struct OnSpan<'a> {
 type Parts = Vec<(Rational, Part)>;
 
 impl OnSpan<'_> {
-    fn cells(&self, count: u32) -> Vec<Cell> {
-        Cell::grid(&self.inputs.region, &self.inputs.coordinates.mapped(|v| (*v, count)))
+    /// Into how many parts the ranges of coordinates and of shape parameters are cut, one way after the other.
+    fn cuts<const N: usize>(&self, coordinates: [u32; N]) -> Vec<(u32, u32)> {
+        let mut cuts = coordinates.mapped(|count| (*count, 1));
+        cuts.extend((!self.inputs.shapes.is_empty()).then_some((8, 4)));
+        cuts
     }
 
     fn relative(&mut self, function: usize, work: &mut Work) -> Option<Parts> {
         let relative = Relative::new(&mut self.exact, self.steps.outputs[function], work)?;
-        for count in [2, 8] {
-            let cells = self.cells(count);
+        for (coordinates, shapes) in self.cuts([2, 8]) {
+            let cells = self.inputs.cells(coordinates, shapes);
             let parts = on_each(&cells, &mut |cell| relative.on(&mut self.exact, cell, work));
             if parts.is_some() {
                 return parts;
@@ -271,8 +321,11 @@ impl OnSpan<'_> {
     }
 
     fn absolute(&mut self, function: usize, work: &mut Work) -> Option<Parts> {
-        let absolute = Absolute::new(&mut self.exact, self.steps.outputs[function], &[], work)?;
-        on_each(&self.cells(16), &mut |cell| absolute.on(&mut self.exact, cell, work))
+        let absolute = Absolute::new(&mut self.exact, self.steps.outputs[function], &[], 0, work)?;
+        self.cuts([16]).into_iter().find_map(|(coordinates, shapes)| {
+            let cells = self.inputs.cells(coordinates, shapes);
+            on_each(&cells, &mut |cell| absolute.on(&mut self.exact, cell, work))
+        })
     }
 }
 
@@ -344,12 +397,14 @@ impl Inputs {
             ranges.push((p.var, p.range.clone()));
             coordinates.push(p.var);
         }
-        let first = ranges.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
-        let points = (first..first + points).map(Var).listed();
-        for point in &points {
-            ranges.push((*point, Range::closed(Rational::from(-1), Rational::ONE)));
-        }
+        let points = with_points(&mut ranges, points);
         Self { region: Region { ranges }, shapes, coordinates, points, ones: false, off: Vec::new() }
+    }
+
+    /// The cells that cut the range of each coordinate and of each shape parameter into so many parts, or fewer.
+    fn cells(&self, coordinates: u32, shapes: u32) -> Vec<Cell> {
+        let cuts = |variables: &[Var], count: u32| variables.mapped(|v| (*v, count));
+        Cell::grid(&self.region, &[cuts(&self.coordinates, coordinates), cuts(&self.shapes, shapes)].concat())
     }
 
     fn variable(&self, input: Input) -> Option<Var> {
@@ -360,6 +415,16 @@ impl Inputs {
             Input::Derivative(_) | Input::Bound(_) => None,
         }
     }
+}
+
+/// New variables between −1 and 1, one for each of so many control points.
+fn with_points(ranges: &mut Vec<(Var, Range)>, points: usize) -> Vec<Var> {
+    let first = ranges.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
+    let points = (first..first + points).map(Var).listed();
+    for point in &points {
+        ranges.push((*point, Range::closed(Rational::from(-1), Rational::ONE)));
+    }
+    points
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@
 //! Σ Bᵣ is 1 where the coordinates add up to 1 in each factor of the domain, and for barycentric coordinates that do not a
 //! power of their sum.
 
-use super::absolute::Absolute;
+use super::absolute::{Absolute, MOST_SIGNED};
 use super::cell::Cell;
 use super::exact::Exact;
 use super::{Bound, Error, Inputs, OnSpan, Part, on_each, rest, rounded_up, value};
@@ -41,7 +41,7 @@ pub(super) fn patch_point(family: &Family, steps: &FamilySteps<'_>, work: &mut W
             continue;
         }
         known.push(*output);
-        let absolute = Absolute::new(&mut exact, *output, &inputs.points, work)?;
+        let absolute = Absolute::new(&mut exact, *output, &inputs.points, MOST_SIGNED, work)?;
         let bounded = on_each(&cells, &mut |cell| absolute.on(&mut exact, cell, work))?;
         let sizes = on_each(&cells, &mut |cell| absolute.size_on(cell, work))?;
         for (largest, found) in [(&mut error, bounded), (&mut size, sizes)] {

@@ -203,7 +203,7 @@ fn size(exact: &mut Exact<'_>, of: usize, conditions: &mut Conditions<'_>, work:
         let here = match exact.step(k) {
             _ if exact.is_leaf(k) => {
                 let value = exact.value(k, work)?;
-                conditions.absolute(value.as_poly()?, work)?
+                conditions.size(value.as_poly()?, &Poly::one(), work)?
             }
             Step::Neg(a) | Step::CutOff(a) => size(a)?.clone(),
             Step::Add(a, b) | Step::Sub(a, b) => size(a)? + size(b)?,

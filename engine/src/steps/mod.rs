@@ -20,6 +20,7 @@ mod family;
 #[cfg(any(test, feature = "tools"))]
 mod join;
 mod lower;
+pub(crate) mod point;
 mod quotient;
 mod runtime;
 mod series;

@@ -318,7 +318,7 @@ impl Builder {
     }
 
     /// As the plan's, of a denominator in Bernstein form.
-    fn kept(&mut self, denominator: usize, sign: &Sign) -> usize {
+    pub(super) fn kept(&mut self, denominator: usize, sign: &Sign) -> usize {
         match sign {
             Sign::Kept | Sign::Unknown => denominator,
             Sign::Positive => self.cut_off(denominator),

@@ -68,6 +68,29 @@ impl Builder {
         sum
     }
 
+    /// What `RationalCurve::new` makes of Bernstein coefficients: each times its binomial coefficient.
+    pub(super) fn with_binomials(&mut self, coefficients: &[usize]) -> Vec<usize> {
+        let degree = coefficients.len().saturating_sub(1) as u32;
+        let mut scaled = Vec::new();
+        for (c, k) in coefficients.iter().zip(0..) {
+            let binomial = self.constant(binomial(degree, k));
+            scaled.push(self.mul(*c, binomial));
+        }
+        scaled
+    }
+
+    /// `rational::curve::nested`: Σ c·s^(n−k)·x^k, nested in s.
+    pub(super) fn nested_in_powers(&mut self, coefficients: &[usize], s: usize, x: usize) -> usize {
+        let Some((first, rest)) = coefficients.split_first() else { return self.zero() };
+        let (mut sum, mut power) = (*first, self.one());
+        for c in rest {
+            power = self.mul(power, x);
+            let scaled = self.mul(sum, s);
+            sum = self.add_scaled(scaled, *c, power);
+        }
+        sum
+    }
+
     /// `macro_support::affine_bernstein`: as [`bernstein`](Self::bernstein) for s + x = 1, in the smaller of both.
     pub(super) fn affine_bernstein(&mut self, points: &[usize], s: usize, x: usize) -> usize {
         let degree = points.len().saturating_sub(1);

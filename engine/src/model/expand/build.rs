@@ -112,6 +112,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         pieces: Vec::new(),
         base: core::mem::take(&mut scope.base),
         nonnegative: Vec::new(),
+        truncations: None,
         obligations: Vec::new(),
         budget,
     };

@@ -80,7 +80,7 @@ pub fn bernstein_weights(family: &Family, form: &IntervalForm) -> Plan {
 }
 
 /// A table of quotients in the shape values, row by row.
-pub(super) fn table(family: &Family, rows: Vec<Vec<(&Poly, &Poly)>>) -> Plan {
+pub(crate) fn table(family: &Family, rows: Vec<Vec<(&Poly, &Poly)>>) -> Plan {
     let mut builder = Builder::of(family);
     let mut entries = Vec::new();
     for (poly, denom) in rows.into_iter().flatten() {

@@ -10,8 +10,8 @@ use basis_prover::collections::list::Listed;
 const METHOD: &str = "signs of the shares of all roundings";
 
 /// The errors of the values of all functions with the evidence for them; nothing for one without a bound. The list is
-/// empty when there is no code for the family, or it is too large, has an angle beside its sine, or an end that is computed
-/// otherwise than as a sum of multiples of shape parameters.
+/// empty when there is no code for the family, or it is too large, or has an end that is computed otherwise than as a sum of multiples
+/// of shape parameters.
 pub fn value_errors(family: &Family) -> Vec<Option<(Error, Evidence)>> {
     let bounds = rounding::values(family).unwrap_or_default();
     let label = |k: usize| family.function_label(k);
@@ -41,12 +41,13 @@ fn stated(of: &str, bound: &Bound, epsilons: &Rational) -> Vec<Stated> {
     statements.map(|statement| Stated::new(format!("rounding of {of}"), statement)).listed()
 }
 
-/// What has to be true so that the values of all functions are within this many ε; `None` when a function has no bound
-/// or the work is spent.
+/// What has to be true so that the values of all functions are within this many ε; `None` when a function has no bound or a
+/// larger one, or the work is spent.
 pub(super) fn statements(family: &Family, epsilons: &Rational) -> Option<Vec<Stated>> {
     let mut all = Vec::new();
     for (k, bound) in rounding::values(family)?.iter().enumerate() {
-        all.extend(stated(&family.function_label(k), bound.as_ref()?, epsilons));
+        let bound = bound.as_ref().filter(|bound| bound.error.epsilons() <= epsilons)?;
+        all.extend(stated(&family.function_label(k), bound, epsilons));
     }
     Some(all)
 }
@@ -56,7 +57,7 @@ pub(super) fn statements(family: &Family, epsilons: &Rational) -> Option<Vec<Sta
 pub(super) fn decide(family: &Family, epsilons: &Rational) -> Verdict {
     let Some(bounds) = rounding::values(family) else {
         return Verdict::Undecided(String::from(
-            "rounding errors are bounded for families with code that are not too large, without `t` beside `sin(t)`, with ends and knots that are numbers or sums of multiples of shape parameters",
+            "rounding errors are bounded for families with code that are not too large, with ends and knots that are numbers or sums of multiples of shape parameters",
         ));
     };
     let mut largest: Option<(String, &Bound)> = None;

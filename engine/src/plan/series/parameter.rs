@@ -9,20 +9,23 @@
 //! keeps its digits where α is small, and each pₙ vanishes at an end of the domain where the function does, to the same
 //! order. A series is cut off where its terms have fallen below 2⁻⁵⁸ of the first one for the largest α, and are
 //! falling further. Then its highest terms are replaced by lower ones, in α and in y, as long as Chebyshev polynomials
-//! show that this changes no more than that. That the rest is as small is seen from the coefficients and not proved.
+//! show that this changes no more than that.
+//! How much all this changes at most is added up, for bounds of rounding errors ([`Truncation`]), with what is missing beyond the
+//! last term ([`truncation`](super::truncation)).
 
 use std::rc::Rc;
 
 use basis_prover::collections::list::Listed;
 
+use super::waves::{Waves, chebyshev, gcd, negligible};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::angle::{Angle, Kind};
 use crate::model::bernstein::to_bernstein;
-use crate::model::{Family, Function};
+use crate::model::{Family, Function, Truncation};
 
 /// The total degrees in t and α at which the series may end, tried one after the other.
 const LAST: [usize; 4] = [32, 48, 64, 80];
@@ -73,22 +76,24 @@ pub(super) fn longest(family: &Family) -> Option<(String, String)> {
     })
 }
 
-struct Source<'f> {
-    family: &'f Family,
+pub(super) struct Source<'f> {
+    pub(super) family: &'f Family,
     /// t
-    angle: &'f Angle,
+    pub(super) angle: &'f Angle,
     /// α
-    end: &'f Angle,
+    pub(super) end: &'f Angle,
     /// t = α·(low + (high − low)·y)
-    slopes: [Rational; 2],
+    pub(super) slopes: [Rational; 2],
     /// No |α| is larger.
-    largest: Rational,
+    pub(super) largest: Rational,
     /// Whether α can be negative.
     is_signed: bool,
+    /// The largest absolute values of all other variables; `None` for one without.
+    pub(super) others: Vec<(Var, Option<Rational>)>,
 }
 
 /// A function as a quotient of sums of sinⁱψ·cosᵏ⁻ⁱψ·tʲ·sinᵖφ·cosᵐ⁻ᵖφ·α^q, φ being to α what ψ is to t.
-struct Sums {
+pub(super) struct Sums {
     /// In tan ψ and tan φ: a numerator, and a denominator without t.
     above: Poly,
     below: Poly,
@@ -99,10 +104,7 @@ struct Sums {
 }
 
 /// The coefficients pₙ of a power series in α.
-type Series = Vec<Poly>;
-
-/// The bits that coefficients of floats have, and some more.
-const BITS: u32 = 58;
+pub(super) type Series = Vec<Poly>;
 
 impl<'f> Source<'f> {
     fn new(family: &'f Family) -> Option<Self> {
@@ -132,7 +134,14 @@ impl<'f> Source<'f> {
         // A number with few digits.
         let unit = Rational::from(64);
         let largest = &(&(&low.abs().max(high.abs()) * &unit).floor() + &Rational::ONE) * &unit.recip()?;
-        Some(Self { family, angle, end, slopes, largest, is_signed: low.is_negative() })
+        let own = [angle.var, angle.itself, end.var, end.itself];
+        let mut others = Vec::new();
+        for (var, range) in &family.region().ranges {
+            if !own.contains(var) {
+                others.push((*var, range.finite().map(|(low, high)| low.abs().max(high.abs()))));
+            }
+        }
+        Some(Self { family, angle, end, slopes, largest, is_signed: low.is_negative(), others })
     }
 
     /// A function in terms of the tangents themselves, wherever they are measured from.
@@ -174,15 +183,23 @@ impl<'f> Source<'f> {
         let family = self.family;
         let [low, high] = &self.slopes;
         let place = &Poly::constant(low.clone()) + &Poly::var(self.angle.var).scale(&(high - low));
-        let mut functions = Vec::new();
+        let (mut functions, mut truncations) = (Vec::new(), Vec::new());
         let mut waves = Vec::new();
         for (f, sums) in family.functions.iter().zip(quotients) {
             if sums.above.is_zero() {
                 functions.push(f.clone());
+                let zero = Rational::ZERO;
+                truncations.push(Some(Truncation {
+                    above: zero.clone(),
+                    below: zero,
+                    ends: [0, 0],
+                    divisor: Poly::one(),
+                }));
                 continue;
             }
-            let above = self.series(&sums.above, [sums.power, sums.end_power], last, &mut waves);
-            let below = self.series(&sums.below, [0, sums.end_power], last, &mut waves);
+            let powers = [[sums.power, sums.end_power], [0, sums.end_power]];
+            let above = self.series(&sums.above, powers[0], last, &mut waves);
+            let below = self.series(&sums.below, powers[1], last, &mut waves);
             let first = |series: &Series| series.iter().position(|p| !p.is_zero());
             let common = first(&above)?.min(first(&below)?);
             let polynomial = |series: Series| {
@@ -190,21 +207,47 @@ impl<'f> Source<'f> {
                 // The lowest power of α stays the lowest.
                 let from = first(&series)?;
                 let lowest = Poly::var(self.end.itself).pow((from - common) as u32);
-                let series = &series[from..common + terms];
-                let series = series.iter().map(|p| p.substitute(self.angle.itself, &place)).listed();
-                let (ends, mut series) = self.without_ends(series);
+                let dropped = self.in_place(&series[common + terms..], &place);
+                let (powers, mut series) =
+                    self.without_ends(self.in_place(&series[from..common + terms], &place));
                 let missing = self.missing(&series);
-                self.round(&mut series, &missing);
-                self.shorten(&mut series, missing.clone());
-                self.lower_degree(&mut series, missing.clone());
-                self.round(&mut series, &missing);
+                let mut lost = Rational::ZERO;
+                self.round(&mut series, &missing, &mut lost);
+                self.shorten(&mut series, missing.clone(), &mut lost);
+                self.lower_degree(&mut series, missing.clone(), &mut lost);
+                self.round(&mut series, &missing, &mut lost);
                 let end = Poly::var(self.end.itself);
                 let sum = series.iter().rev().fold(Poly::zero(), |sum, p| &(&sum * &end) + p);
-                Some(&(&sum * &lowest) * &ends)
+                let lost = &lost * &self.largest.pow((from - common) as u32);
+                let lost = self.dropped(&dropped, powers, terms).map(|dropped| &lost + &dropped);
+                Some((&(&sum * &lowest) * &self.ends(powers), powers, lost))
             };
-            let value = Fraction::normalized(&polynomial(above)?, &polynomial(below)?)?;
+            let (numer, ends, above) = polynomial(above)?;
+            let (denom, _, below) = polynomial(below)?;
+            let value = Fraction::normalized(&numer, &denom)?;
+            let unit = self.largest.pow(common as u32).recip()?;
+            let ends = if cfg!(any(test, feature = "rounding")) && self.vanishes(&f.value, ends) == Some(true)
+            {
+                ends
+            } else {
+                [0, 0]
+            };
+            let place = &place;
+            let mut whole = |p: &Poly, dropped: Option<Rational>, powers, ends| {
+                Some(&dropped? + &(&self.beyond(p, powers, last, ends, place, &mut waves)? * &unit))
+            };
+            let above = whole(&sums.above, above, powers[0], ends);
+            let below = whole(&sums.below, below, powers[1], [0, 0]);
+            let truncation = above.zip(below);
+            truncations.push(truncation.map(|(above, below)| Truncation {
+                above,
+                below,
+                ends,
+                divisor: denom,
+            }));
             functions.push(Function { value, ..f.clone() });
         }
+        let truncations = Some(truncations);
         let mut domain = family.domain.clone();
         let declared = &domain[0].range;
         let end = |own: &End, x| if own.is_included() { End::Included(x) } else { End::Excluded(x) };
@@ -223,12 +266,18 @@ impl<'f> Source<'f> {
                 (angle.low, angle.width) = (Fraction::zero(), Fraction::constant(Rational::ONE));
             }
         }
-        Some(Family { domain, functions, analytic, over: Poly::one(), ..family.clone() })
+        Some(Family { domain, functions, analytic, over: Poly::one(), truncations, ..family.clone() })
     }
 
     /// The power series in α of a numerator or denominator made of sines and cosines of t and of α; each coefficient is
     /// a polynomial in t. Each term has `powers[0]` factors that are sines or cosines of t, and `powers[1]` of α.
-    fn series(&self, p: &Poly, powers: [u32; 2], last: usize, known: &mut Vec<Rc<Waves>>) -> Series {
+    pub(super) fn series(
+        &self,
+        p: &Poly,
+        powers: [u32; 2],
+        last: usize,
+        known: &mut Vec<Rc<Waves>>,
+    ) -> Series {
         let [of_angle, of_end] = [(self.angle, powers[0]), (self.end, powers[1])]
             .map(|(angle, power)| Waves::known(angle, power, last, known));
         let own = [self.angle.var, self.angle.itself, self.end.var, self.end.itself];
@@ -286,27 +335,52 @@ impl<'f> Source<'f> {
         (terms <= MAX_DEGREE + 1).then_some(terms)
     }
 
-    /// A series in y as yⁱ(1 − y)ʲ and what is left.
-    fn without_ends(&self, mut series: Series) -> (Poly, Series) {
-        let y = Poly::var(self.angle.var);
-        let mut ends = Poly::one();
-        for factor in [&y, &(&Poly::one() - &y)] {
+    /// The powers i and j of a series in y that is yⁱ(1 − y)ʲ times another one, and this.
+    fn without_ends(&self, mut series: Series) -> ([u32; 2], Series) {
+        let mut powers = [0; 2];
+        for (factor, power) in self.factors().iter().zip(&mut powers) {
             while series.iter().any(|p| !p.is_zero())
                 && let Some(rest) = series.iter().map(|p| p.div_exact(factor)).collect::<Option<Series>>()
             {
                 series = rest;
-                ends = &ends * factor;
+                *power += 1;
             }
         }
-        (ends, series)
+        (powers, series)
+    }
+
+    /// Coefficients in y in place of t/α.
+    pub(super) fn in_place(&self, series: &[Poly], place: &Poly) -> Series {
+        series.iter().map(|p| p.substitute(self.angle.itself, place)).listed()
+    }
+
+    /// y and 1 − y
+    fn factors(&self) -> [Poly; 2] {
+        let y = Poly::var(self.angle.var);
+        [y.clone(), &Poly::one() - &y]
+    }
+
+    /// yⁱ(1 − y)ʲ
+    pub(super) fn ends(&self, [i, j]: [u32; 2]) -> Poly {
+        let [y, s] = self.factors();
+        &y.pow(i) * &s.pow(j)
     }
 
     /// The largest absolute value of a polynomial in y on 0 ≤ y ≤ 1, at most: that of its Bernstein coefficients.
-    fn size(&self, p: &Poly) -> Rational {
+    pub(super) fn size(&self, p: &Poly) -> Rational {
         let own = p.coefficients_in(self.angle.var);
         let degree = own.len().saturating_sub(1) as u32;
-        let sum = |p: &Poly| p.terms().fold(Rational::ZERO, |sum, (_, c)| &sum + &c.abs());
+        let sum =
+            |p: &Poly| p.terms().fold(Rational::ZERO, |sum, (m, c)| &sum + &(&c.abs() * &self.of_others(m)));
         to_bernstein(&own, degree).iter().map(sum).max().unwrap_or(Rational::ZERO)
+    }
+
+    /// The largest absolute value of the other variables' part of a term; 1 for one without bounds.
+    pub(super) fn of_others(&self, m: &Monomial) -> Rational {
+        self.others.iter().fold(Rational::ONE, |product, (var, most)| match most {
+            Some(most) => &product * &most.pow(u32::from(m.exponent(*var))),
+            None => product,
+        })
     }
 
     /// What may be missing of a series.
@@ -316,7 +390,7 @@ impl<'f> Source<'f> {
     }
 
     /// Replaces the last terms of a series by terms with lower powers of α, as long as no more than `left` is missing then.
-    fn shorten(&self, series: &mut Series, mut left: Rational) {
+    fn shorten(&self, series: &mut Series, mut left: Rational, lost: &mut Rational) {
         let missing = left.clone();
         let stride = (0..series.len()).filter(|n| !series[*n].is_zero()).fold(0, gcd);
         if stride == 0 || self.is_signed && stride % 2 == 1 {
@@ -329,36 +403,41 @@ impl<'f> Source<'f> {
             if !p.is_zero() {
                 let (lower, error) = chebyshev(last / stride);
                 let mut scale = unit.pow((last / stride) as u32);
-                left -= &(&(&self.size(&p) * &scale) * &error);
+                let error = &(&self.size(&p) * &scale) * &error;
+                left -= &error;
                 if left.is_negative() {
                     return;
                 }
+                *lost += &error;
                 for (i, c) in lower.iter().enumerate() {
                     series[i * stride] = &series[i * stride] + &p.scale(&(c * &scale));
                     scale = scale.checked_div(&unit).unwrap_or(Rational::ZERO);
                 }
             }
             series.pop();
-            self.round(series, &missing);
+            self.round(series, &missing, lost);
         }
     }
 
     /// Replaces the highest powers of y by lower ones, as long as no more than `left` is missing then.
-    fn lower_degree(&self, series: &mut Series, mut left: Rational) {
+    fn lower_degree(&self, series: &mut Series, mut left: Rational, lost: &mut Rational) {
         let missing = left.clone();
         let mut table = series.iter().map(|p| p.coefficients_in(self.angle.var)).listed();
         let mut degree = table.iter().map(Vec::len).max().unwrap_or(0).saturating_sub(1);
         while degree > 0 {
             let mut leading =
                 table.iter().map(|c| c.get(degree).cloned().unwrap_or_else(Poly::zero)).listed();
-            self.round(&mut leading, &missing);
+            let mut rounded = Rational::ZERO;
+            self.round(&mut leading, &missing, &mut rounded);
             let sizes = leading.iter().map(|p| self.size(p));
             let size = sizes.rev().fold(Rational::ZERO, |sum, x| &(&sum * &self.largest) + &x);
             let (lower, error) = chebyshev(degree);
-            left -= &(&size * &error);
+            let error = &size * &error;
+            left -= &error;
             if left.is_negative() {
                 break;
             }
+            *lost += &(&error + &rounded);
             for (own, p) in table.iter_mut().zip(&leading) {
                 own.resize(degree, Poly::zero());
                 for (c, factor) in own.iter_mut().zip(&lower) {
@@ -373,105 +452,26 @@ impl<'f> Source<'f> {
     }
 
     /// Makes the coefficients multiples of powers of 2, far below what may be missing, so that their numbers stay short.
-    fn round(&self, series: &mut [Poly], missing: &Rational) {
+    fn round(&self, series: &mut [Poly], missing: &Rational, lost: &mut Rational) {
         let two = Rational::from(2);
         let mut room = missing * &Rational::new(1, 1 << 12);
-        let mut grain = Rational::ONE;
+        let (mut grain, mut power) = (Rational::ONE, Rational::ONE);
         for p in series.iter_mut().filter(|_| !missing.is_zero()) {
             while &room * &grain < Rational::ONE {
                 grain = &grain * &two;
             }
             let unit = grain.recip().unwrap_or(Rational::ONE);
-            let terms = p.terms().map(|(m, c)| (m.clone(), &(c * &grain).floor() * &unit));
-            *p = Poly::from_terms(terms.listed());
+            let mut terms = Vec::new();
+            for (m, c) in p.terms() {
+                let scaled = c * &grain;
+                if !scaled.is_integer() {
+                    *lost += &(&(&unit * &power) * &self.of_others(m));
+                }
+                terms.push((m.clone(), &scaled.floor() * &unit));
+            }
+            *p = Poly::from_terms(terms);
+            power = &power * &self.largest;
             room = room.checked_div(&self.largest).unwrap_or(room);
         }
     }
-}
-
-/// What may be missing of a number in place of floats.
-fn negligible(x: &Rational) -> Rational {
-    x * &Rational::from(2).pow(BITS).recip().unwrap_or(Rational::ONE)
-}
-
-fn gcd(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { gcd(b, a % b) }
-}
-
-/// The polynomial of degree below n that is nearest to xⁿ for 0 ≤ x ≤ 1, and its error: xⁿ − T*(x)/2²ⁿ⁻¹, where T* is
-/// the Chebyshev polynomial of degree n ≥ 1 of that interval.
-fn chebyshev(n: usize) -> (Vec<Rational>, Rational) {
-    let mut last = vec![Rational::ONE];
-    let mut this = vec![-Rational::ONE, Rational::from(2)];
-    for _ in 1..n {
-        // T*ₖ₊₁ = (4x − 2)·T*ₖ − T*ₖ₋₁
-        let mut next = vec![Rational::ZERO; this.len() + 1];
-        for (k, c) in this.iter().enumerate() {
-            next[k + 1] += &(c * &Rational::from(4));
-            next[k] -= &(c * &Rational::from(2));
-        }
-        for (next, c) in next.iter_mut().zip(&last) {
-            *next -= c;
-        }
-        (last, this) = (this, next);
-    }
-    let error = this.pop().and_then(|leading| leading.recip()).unwrap_or(Rational::ONE);
-    (this.iter().map(|c| -&(c * &error)).listed(), error)
-}
-
-/// The power series of sinⁱ(v·s)·cosⁿ⁻ⁱ(v·s) in s, or of sinh and cosh, for all i.
-struct Waves {
-    of: (Kind, Rational, u32),
-    all: Vec<Vec<Rational>>,
-}
-
-impl Waves {
-    /// Those of an angle, computed once.
-    fn known(angle: &Angle, n: u32, last: usize, known: &mut Vec<Rc<Self>>) -> Rc<Self> {
-        let of = (angle.kind, angle.rate.clone(), n);
-        if let Some(waves) = known.iter().find(|waves| waves.of == of) {
-            return Rc::clone(waves);
-        }
-        let waves = Rc::new(Self::new(angle, n, last));
-        known.push(Rc::clone(&waves));
-        waves
-    }
-
-    fn new(angle: &Angle, n: u32, last: usize) -> Self {
-        let sign = if angle.kind == Kind::Circular { -Rational::ONE } else { Rational::ONE };
-        let mut term = Rational::ONE;
-        let mut parts = [vec![Rational::ZERO; last + 1], vec![Rational::ZERO; last + 1]];
-        for k in 0..=last {
-            // sin and cos have signs +, +, −, −.
-            let signed = if k / 2 % 2 == 1 { &term * &sign } else { term.clone() };
-            parts[1 - k % 2][k] = signed;
-            term = &term * &(&angle.rate * &Rational::new(1, k as i64 + 1));
-        }
-        let [sine, cosine] = &parts;
-        let mut one = vec![Rational::ZERO; last + 1];
-        one[0] = Rational::ONE;
-        let powers = |base: &[Rational]| {
-            let mut all = vec![one.clone()];
-            for k in 0..n as usize {
-                all.push(product(&all[k], base));
-            }
-            all
-        };
-        let (sines, cosines) = (powers(sine), powers(cosine));
-        let all = sines.iter().zip(cosines.iter().rev()).map(|(a, b)| product(a, b)).listed();
-        Self { of: (angle.kind, angle.rate.clone(), n), all }
-    }
-
-    fn of(&self, i: u32) -> &[Rational] {
-        &self.all[i as usize]
-    }
-}
-
-fn product(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
-    let coefficient = |k: usize| {
-        (0..=k).fold(Rational::ZERO, |sum, i| {
-            if a[i].is_zero() || b[k - i].is_zero() { sum } else { &sum + &(&a[i] * &b[k - i]) }
-        })
-    };
-    (0..a.len()).map(coefficient).listed()
 }

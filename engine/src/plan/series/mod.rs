@@ -2,6 +2,8 @@
 
 mod parameter;
 mod points;
+mod truncation;
+mod waves;
 
 use std::rc::Rc;
 
@@ -9,7 +11,7 @@ use crate::algebra::poly::Poly;
 use crate::model::Family;
 
 /// The shape parameter whose range is too long for [`in_polynomials`] on some span, or has no end, and a range that is not.
-pub(super) fn longest(family: &Family) -> Option<(String, String)> {
+pub(crate) fn longest(family: &Family) -> Option<(String, String)> {
     if family.pieces.is_empty() {
         return parameter::longest(family);
     }
@@ -18,7 +20,7 @@ pub(super) fn longest(family: &Family) -> Option<(String, String)> {
 
 /// A family whose functions are polynomials on each of its spans, as near as floats can tell to those of a family in which
 /// the variable stands beside its sine or exponential; `None` where no way to these is known.
-pub(super) fn in_polynomials(family: &Family) -> Option<Family> {
+pub(crate) fn in_polynomials(family: &Family) -> Option<Family> {
     let on_span = |span: &Family| {
         points::in_polynomials(span).or_else(|| Some(vec![Rc::new(parameter::in_polynomials(span)?)]))
     };

@@ -3,11 +3,11 @@
 use crate::model::Family;
 
 /// Nothing, of nothing.
-pub(super) fn in_polynomials(_: &Family) -> Option<Family> {
+pub(crate) fn in_polynomials(_: &Family) -> Option<Family> {
     None
 }
 
 /// Of no family.
-pub(super) fn longest(_: &Family) -> Option<(String, String)> {
+pub(crate) fn longest(_: &Family) -> Option<(String, String)> {
     None
 }

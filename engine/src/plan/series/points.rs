@@ -234,7 +234,8 @@ impl Source<'_> {
             ..self.angle.clone()
         };
         let analytic = Analytic { angles: vec![angle], ..family.analytic.clone() };
-        Some(Family { domain, functions, analytic, over: Poly::one(), ..family.clone() })
+        let truncations = Some(vec![None; functions.len()]);
+        Some(Family { domain, functions, analytic, over: Poly::one(), truncations, ..family.clone() })
     }
 
     /// The series of the variable of the tangent and of the angle itself, and of their powers.
