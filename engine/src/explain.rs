@@ -2,41 +2,35 @@
 //! do at their ends.
 
 mod contacts;
+mod dependence;
 mod extrema;
 mod matrices;
+mod nonnegative;
 mod reading;
+mod shape_values;
 mod theorems;
 
 pub use contacts::{Contact, contacts};
+pub use dependence::{describe_exception, exceptional_set};
 pub use extrema::{AllExtrema, Extrema, Extremum, Locus, LocusKind, extrema};
 pub use matrices::{Matrix, MatrixKind, conversions, matrices, matrices_left_out};
+pub use nonnegative::{NonnegativeRange, nonnegative_ranges};
 pub use theorems::determined_points;
 
 use std::rc::Rc;
 
-use basis_kernel::{Chart, Relation, Statement, Values, with};
-use basis_prover::range::{LargestRange, Part, largest_range, nonnegative_parts};
-use basis_prover::rank::{Exceptional, ExceptionalSet};
-use basis_prover::{Budget, Coordinate, decide, pull_back, typical};
-
-use crate::algebra::divisors::gcd::{gcd, split_monomial, square_free};
+use crate::algebra::divisors::gcd::{gcd, split_monomial};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
-use crate::algebra::real::simplest::simplest_between;
 use crate::algebra::work::Work;
 use crate::claim::{self, Claim, ClaimKind, Expected};
 use crate::generate::{factored, factored_on_box};
-use crate::model::chart::Constraint;
-use crate::model::{Family, Function, Parameter};
+use crate::model::{Family, Function};
 use crate::plan::interval::form::IntervalForm;
 use crate::plan::patch::form::{PatchForm, factored_text};
 use crate::state::Verdict;
 use crate::{rounding, state};
-
-/// The work for the factors of denominators.
-const DENOMINATORS: u64 = 1_000_000;
 
 /// One function in its two forms.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -115,112 +109,6 @@ pub(crate) fn written(family: &Family, value: &Fraction) -> String {
     if family.analytic.is_empty() { value.display(&family.names) } else { reading::expanded(family, value) }
 }
 
-/// Where a shape parameter may be so that all functions are nonnegative, the other parameters on their declared ranges.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NonnegativeRange {
-    /// The name of the parameter.
-    pub name: String,
-    /// The ranges, such as `-3 <= λ <= 1`; one around the declared range, or several that meet it.
-    pub ranges: Vec<String>,
-    /// What is left open, or that a function is negative on the declared ranges.
-    pub remark: Option<String>,
-}
-
-impl core::fmt::Display for NonnegativeRange {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match (&self.ranges[..], &self.remark) {
-            ([], remark) => write!(f, "{}: {}", self.name, remark.as_deref().unwrap_or("undecided")),
-            (ranges, None) => f.write_str(&ranges.join(" or ")),
-            (ranges, Some(remark)) => write!(f, "{} ({remark})", ranges.join(" or ")),
-        }
-    }
-}
-
-/// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the
-/// other parameters on their declared ranges.
-///
-/// Where a denominator vanishes the range ends, too, and does not contain its end. When a function is negative
-/// somewhere on the declared ranges, the largest ranges that meet the declared one.
-///
-/// Where a function contains π, or a variable beside its sine, nothing is said of values beyond the declared ranges.
-pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
-    let dependent = family.analytic.dependent();
-    if family.functions.iter().any(|f| dependent.iter().any(|v| f.value.depends_on(*v))) {
-        return nonnegative_as_declared(family);
-    }
-    let Signs { numerators: polys, denominators, region } = function_signs(family);
-    let range = |shape: &Parameter| {
-        let name = &shape.name;
-        let open = |remark: String| (Vec::new(), Some(remark));
-        // Beyond its declared range there may be no domain, or no angle.
-        let bound = family
-            .analytic
-            .angles
-            .iter()
-            .any(|a| a.var == shape.var || a.low.depends_on(shape.var) || a.width.depends_on(shape.var));
-        let mut budget = Budget::scaled(family.budget);
-        let Some(defined) =
-            denominators.iter().map(|d| with_simple_zeros(&region, d)).collect::<Option<Vec<_>>>()
-        else {
-            return open(String::from("undecided: the denominators are too large"));
-        };
-        let poles = match largest_range(&defined, shape.var, &region, &mut budget) {
-            LargestRange::Between(low, high) => (low, high),
-            _ => (None, None),
-        };
-        let all = [&polys[..], &defined].concat();
-        match largest_range(&all, shape.var, &region, &mut budget) {
-            LargestRange::Between(low, high) => {
-                let part = (low.clone(), high.clone());
-                let range =
-                    if bound { within(family, &part, shape) } else { range_text(name, &part, &poles) };
-                if is_nonnegative(family, shape, &(low, high)) {
-                    (vec![range], None)
-                } else {
-                    open(format!("undecided: {range} could not be proved to be enough"))
-                }
-            }
-            LargestRange::Negative => {
-                let negative = String::from("a function is negative somewhere on the declared ranges");
-                match nonnegative_parts(&all, shape.var, &region, &mut budget) {
-                    Ok(mut parts) => {
-                        parts.retain(|part| meets(part, &shape.range));
-                        if parts.is_empty() {
-                            return open(format!("{negative}, whatever {name} is in its range"));
-                        }
-                        let text = |part: &Part| {
-                            if bound { within(family, part, shape) } else { range_text(name, part, &poles) }
-                        };
-                        (parts.iter().map(text).collect(), Some(negative))
-                    }
-                    Err(left) => open(format!("{negative}; where not is undecided: {left}")),
-                }
-            }
-            LargestRange::Undecided(left) => open(format!("undecided: {left}")),
-        }
-    };
-    let all = family.shapes.iter().map(|shape| {
-        let (ranges, remark) = range(shape);
-        NonnegativeRange { name: shape.name.clone(), ranges, remark }
-    });
-    all.collect()
-}
-
-/// For each shape parameter the declared range, if all functions are nonnegative on it.
-fn nonnegative_as_declared(family: &Family) -> Vec<NonnegativeRange> {
-    let (declared, remark) = match verdict(family, ClaimKind::Nonnegative) {
-        Verdict::Proved(_) => (true, "as declared; no other values were looked at"),
-        Verdict::Refuted(_) => (false, "a function is negative somewhere on the declared ranges"),
-        Verdict::Undecided(_) => (false, "undecided"),
-    };
-    let range = |shape: &Parameter| NonnegativeRange {
-        name: family.name_of(shape).to_owned(),
-        ranges: if declared { vec![family.declared(shape)] } else { Vec::new() },
-        remark: Some(String::from(remark)),
-    };
-    family.shapes.iter().map(range).collect()
-}
-
 /// What a claim about a family comes to that no statement makes.
 fn verdict(family: &Family, kind: ClaimKind) -> Verdict {
     let nothing: Rc<str> = "".into();
@@ -235,220 +123,6 @@ fn verdict(family: &Family, kind: ClaimKind) -> Verdict {
         about: None,
     };
     state::of_family(family, &claim)
-}
-
-/// Whether a closed range has a point in a declared one.
-fn meets((low, high): &Part, declared: &Range) -> bool {
-    let end = |c: &Option<Coordinate>, upper: bool| match c {
-        None => End::Infinite,
-        Some(Coordinate::Rational(x)) => End::Included(x.clone()),
-        Some(Coordinate::Algebraic(x)) => End::Included(if upper { x.high() } else { x.low() }.clone()),
-    };
-    let (low, high) = (end(low, false), end(high, true));
-    let apart = |below: &End, above: &End| match (below.value(), above.value()) {
-        (Some(a), Some(b)) => a < b || a == b && !(below.is_included() && above.is_included()),
-        _ => false,
-    };
-    !apart(&high, &declared.low) && !apart(&declared.high, &low)
-}
-
-/// The part of a range that is declared, such as `0 < h`.
-fn within(family: &Family, (low, high): &Part, shape: &Parameter) -> String {
-    let closed = |c: &Option<Coordinate>| match c {
-        Some(Coordinate::Rational(x)) => Some(x.clone()),
-        _ => None,
-    };
-    let narrower =
-        |declared: &End, own: Option<Rational>, inside: core::cmp::Ordering| match (declared.value(), own) {
-            (Some(a), Some(b)) if b.cmp(a) == inside => End::Included(b),
-            (None, Some(b)) => End::Included(b),
-            _ => declared.clone(),
-        };
-    let low = narrower(&shape.range.low, closed(low), core::cmp::Ordering::Greater);
-    let high = narrower(&shape.range.high, closed(high), core::cmp::Ordering::Less);
-    let range = Range { low, high };
-    if range == shape.range {
-        family.declared(shape)
-    } else {
-        range.display(&family.names[shape.var.0]).to_string()
-    }
-}
-
-/// `-3 <= λ <= 1`; ends at which a denominator vanishes are left out.
-fn range_text(name: &str, (low, high): &Part, poles: &Part) -> String {
-    let end = |c: &Coordinate| match c {
-        Coordinate::Rational(x) => x.to_string(),
-        Coordinate::Algebraic(x) => match x.reading(name) {
-            root if root.contains(' ') => format!("({root})"),
-            root => root,
-        },
-    };
-    if let (Some(Coordinate::Rational(a)), Some(Coordinate::Rational(b))) = (low, high)
-        && a == b
-    {
-        return format!("{name} = {a}");
-    }
-    let sign =
-        |end: &Coordinate, pole: &Option<Coordinate>| if Some(end) == pole.as_ref() { "<" } else { "<=" };
-    let low = low.as_ref().map_or_else(String::new, |c| format!("{} {} ", end(c), sign(c, &poles.0)));
-    let high = high.as_ref().map_or_else(String::new, |c| format!(" {} {}", sign(c, &poles.1), end(c)));
-    if low.is_empty() && high.is_empty() { format!("every {name}") } else { format!("{low}{name}{high}") }
-}
-
-/// A polynomial with the zeros of a denominator, each of them a change of sign, positive on the declared ranges; `None`
-/// when the denominator is too large.
-fn with_simple_zeros(region: &Region, denom: &Poly) -> Option<Poly> {
-    let parts = square_free(denom, &mut Work::new(DENOMINATORS))?;
-    let product = parts.iter().fold(Poly::one(), |product, (p, _)| &product * p);
-    let inner = |range: &Range| simplest_between(range.low.value(), range.high.value());
-    Some(if sign_at(&product, region, &inner) < 0 { -&product } else { product })
-}
-
-/// The sign of a polynomial at a point of a box, which has a coordinate in each range.
-fn sign_at(p: &Poly, region: &Region, coordinate: &dyn Fn(&Range) -> Rational) -> i32 {
-    let value = region.ranges.iter().fold(p.clone(), |p, (var, range)| p.at(*var, &coordinate(range)));
-    value.as_constant().map_or(0, |c| c.signum())
-}
-
-/// Polynomials that decide the signs of functions.
-struct Signs {
-    /// With the signs of the functions.
-    numerators: Vec<Poly>,
-    /// The denominators that are no numbers, each once.
-    denominators: Vec<Poly>,
-    /// The box on which to look at them.
-    region: Region,
-}
-
-fn function_signs(family: &Family) -> Signs {
-    let domain = family.points();
-    let (mut numerators, mut denominators) = (Vec::new(), Vec::new());
-    let mut region = domain.region.clone();
-    for f in &family.functions {
-        let (numer, denom) = (f.value.numer(), f.value.denom());
-        let Ok(chart) = Chart::new(&domain, [numer, denom]) else { continue };
-        region = chart.region().clone();
-        let below = pull_back(&chart, denom);
-        let signed = if sign_at(&below, &region, &typical) < 0 { -numer } else { numer.clone() };
-        numerators.push(pull_back(&chart, &signed));
-        if below.as_constant().is_none() && !denominators.contains(&below) {
-            denominators.push(below);
-        }
-    }
-    Signs { numerators, denominators, region }
-}
-
-/// Whether it is proved that all functions are ≥ 0 where a shape parameter is between two ends; of an irrational end,
-/// up to a rational number next to it.
-fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> bool {
-    let end = |c: &Option<Coordinate>, upper: bool| match c {
-        None => End::Infinite,
-        Some(Coordinate::Rational(x)) => End::Included(x.clone()),
-        Some(Coordinate::Algebraic(x)) => {
-            End::Included(if upper { x.low().clone() } else { x.high().clone() })
-        }
-    };
-    let mut domain = family.points();
-    let range = Range { low: end(low, false), high: end(high, true) };
-    domain.region = with(&domain.region, shape.var, range);
-    let domain = Rc::new(domain);
-    family.functions.iter().all(|f| {
-        let (value, domain) = (f.value.quotient(), Rc::clone(&domain));
-        let sign = Statement::Sign { value, relation: Relation::NonNegative, domain };
-        decide(sign, &Vec::new(), family.budget).is_ok()
-    })
-}
-
-/// The work for the shape values at which functions are dependent, of which each is looked for with a budget of its own.
-const EXCEPTIONS: u64 = 20_000_000;
-
-/// The shape values at which the functions of a family are dependent, and what is left open: nothing only if it is
-/// proved that they are independent everywhere else.
-pub fn exceptional_set(family: &Family) -> ExceptionalSet {
-    let units = EXCEPTIONS.saturating_mul(u64::from(family.budget));
-    basis_prover::within(units, &mut || exceptions(family))
-}
-
-fn exceptions(family: &Family) -> ExceptionalSet {
-    let state::Table { rows, symmetries } = state::table(family);
-    let table = basis_prover::rank::Table { rows: &rows, symmetries: &symmetries };
-    let mut set = basis_prover::rank::exceptional_set(table, &family.shape_region(), family.budget);
-    set.exceptions.retain(|e| !is_ruled_out(family, &e.values));
-    let dependent = family.analytic.dependent();
-    if rows.iter().flatten().any(|p| dependent.iter().any(|v| p.depends_on(*v))) {
-        // Where an angle and its tangent have values that do not belong together nothing is said.
-        set.exceptions.retain(|e| !e.values.iter().any(|(var, _)| dependent.contains(var)));
-        let value = |(var, c): &(Var, Coordinate)| match c {
-            Coordinate::Rational(x) => Some((*var, x.clone())),
-            Coordinate::Algebraic(_) => None,
-        };
-        let except: Vec<Option<Values>> =
-            set.exceptions.iter().map(|e| e.values.iter().map(value).collect()).collect();
-        let except: Option<Vec<Values>> = except.into_iter().collect();
-        set.open = except.map_or_else(|| Some(String::from(OTHERS)), |except| open_besides(family, except));
-        return set;
-    }
-    let mut except = Vec::new();
-    let mut rational = !set.exceptions.iter().any(|e| e.values.is_empty());
-    for exception in &set.exceptions {
-        let mut values = Vec::new();
-        for (var, c) in &exception.values {
-            match c {
-                Coordinate::Rational(x) => values.push((*var, x.clone())),
-                Coordinate::Algebraic(_) => rational = false,
-            }
-        }
-        except.push(values);
-    }
-    if rational && !family.constraints.is_empty() {
-        // On the whole box the functions may be dependent where what is assumed is false.
-        set.open = open_besides(family, except);
-    } else if rational && set.open.is_none() {
-        let statement = Statement::Independent { rows, except, region: family.shape_region() };
-        if decide(statement, &symmetries, family.budget).is_err() {
-            set.open = Some(String::from(OTHERS));
-        }
-    }
-    set
-}
-
-/// What is left open of exceptions that may not be all.
-const OTHERS: &str = "it is not proved that there are no others";
-
-/// What is left open where functions are said to be independent but for these exceptions.
-fn open_besides(family: &Family, except: Vec<Values>) -> Option<String> {
-    match verdict(family, ClaimKind::Independent(except)) {
-        Verdict::Proved(_) => None,
-        _ => Some(String::from(OTHERS)),
-    }
-}
-
-/// Whether a condition in which only these shape parameters occur is false at their values.
-fn is_ruled_out(family: &Family, values: &[(Var, Coordinate)]) -> bool {
-    let put = |p: &Poly| {
-        values.iter().fold(p.clone(), |p, (var, c)| match c {
-            Coordinate::Rational(x) => p.at(*var, x),
-            Coordinate::Algebraic(_) => p,
-        })
-    };
-    let fails = |c: &Constraint| put(&c.value).as_constant().is_some_and(|x| !c.relation.holds(&x));
-    family.constraints.iter().any(fails)
-}
-
-/// What an element of the exceptional set says, such as `λ = -3: b[1] - b[2] = 0`.
-pub fn describe_exception(family: &Family, exception: &Exceptional) -> String {
-    let values: Vec<String> = exception.values.iter().map(|(v, c)| c.describe(&family.names[v.0])).collect();
-    let at = if values.is_empty() { String::from("all shape values") } else { values.join(", ") };
-    let Some(combination) = &exception.combination else { return at };
-    let fixed = |p: &Poly| {
-        exception.values.iter().fold(p.clone(), |p, (v, c)| match c {
-            Coordinate::Rational(x) => p.at(*v, x),
-            Coordinate::Algebraic(_) => p,
-        })
-    };
-    let scaled: Vec<Poly> =
-        combination.iter().enumerate().map(|(k, c)| c * &fixed(&family.numerator_factor(k))).collect();
-    format!("{at}: {} = 0", state::combination_text(family, &scaled))
 }
 
 /// Σ weight·P[i] with common factors taken out, if they are polynomials in the shape parameters.

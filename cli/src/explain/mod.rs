@@ -235,7 +235,9 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
     }
     places::section(&mut text, facts);
     if !facts.nonnegative.is_empty() {
-        text += "\n  All functions are nonnegative, the other parameters in their declared ranges, for\n";
+        let others =
+            if facts.assumptions.is_empty() { "in their declared ranges" } else { "as declared and assumed" };
+        text += &format!("\n  All functions are nonnegative, the other parameters {others}, for\n");
         for range in &facts.nonnegative {
             text += &format!("    {range}\n");
         }

@@ -12,6 +12,7 @@ mod emit;
 mod eval_errors;
 mod eval_values;
 mod explain;
+mod explain_assumed;
 mod explain_formats;
 mod extrema;
 mod library;

@@ -16,16 +16,16 @@ mod system;
 use core::cmp::Ordering;
 
 use self::numbers::{about, approximation, compare, roots, sort, text, value};
+use super::shape_values;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::model::angle::{Kind, multiple_of_pi};
+use basis_prover::Coordinate;
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::{Coordinate, candidates, typical};
 
 /// The work for the extrema of a family, and of one function of several variables.
 const WORK: u64 = 20_000_000;
@@ -158,19 +158,25 @@ pub fn extrema(family: &Family) -> AllExtrema {
     let mut all = AllExtrema::default();
     basis_prover::within(WORK, &mut || {
         let work = &mut Work::new(WORK);
-        let (sample, numbers) = (sample(family), family.analytic.numbers());
+        let (sample, numbers) = (shape_values::simple(family), family.analytic.numbers());
         for (k, f) in family.functions.iter().enumerate() {
             let label = family.function_label(k);
-            let found = if family.interval().is_none() {
-                let (exact, label) = with_values(family, (&label, &f.value), &sample, &numbers);
-                exact.and_then(|exact| of_several(family, &label, &exact, work))
-            } else {
-                match parametric::of_function(family, &f.value, work) {
-                    Some(Some(found)) => {
-                        Some(Found::Known(Box::new(Extrema { label: label.clone(), ..found })))
-                    }
-                    Some(None) => Some(Found::Nonnegative),
-                    None => at_sample(family, (&label, &f.value), &sample, &numbers, work),
+            let found = match parametric::of_function(family, &f.value, work) {
+                Some(Some(found)) => Some(Found::Known(Box::new(Extrema { label: label.clone(), ..found }))),
+                Some(None) => Some(Found::Nonnegative),
+                None => {
+                    let mut at = |sample: &[(Var, Rational)]| {
+                        at_values(family, (&label, &f.value), sample, &numbers, work)
+                    };
+                    let found = at(&sample);
+                    // Perhaps it is negative at other values.
+                    let elsewhere = match &found {
+                        Some(Found::Nonnegative) if !own_shapes(&f.value, &sample, &numbers).is_empty() => {
+                            shape_values::where_negative(family, k)
+                        }
+                        _ => None,
+                    };
+                    elsewhere.map_or(found, |values| at(&values))
                 }
             };
             match found.unwrap_or_else(|| Found::Open(String::from(SPENT))) {
@@ -181,6 +187,21 @@ pub fn extrema(family: &Family) -> AllExtrema {
         }
     });
     all
+}
+
+/// What is known of a function at some shape values; `None` when the work is spent.
+fn at_values(
+    family: &Family,
+    (label, f): (&str, &Fraction),
+    values: &[(Var, Rational)],
+    numbers: &[Var],
+    work: &mut Work,
+) -> Option<Found> {
+    if family.interval().is_some() {
+        return at_sample(family, (label, f), values, numbers, work);
+    }
+    let (exact, label) = with_values(family, (label, f), values, numbers);
+    of_several(family, &label, &exact?, work)
 }
 
 /// What is known of a function of several variables; `None` when the work for all of them is spent.
@@ -215,22 +236,6 @@ fn own_shapes(f: &Fraction, sample: &[(Var, Rational)], numbers: &[Var]) -> Vec<
 fn put(f: &Fraction, values: &[(Var, Rational)]) -> Option<Fraction> {
     let put = |f: Fraction, (v, x): &(Var, Rational)| f.substitute(*v, &Fraction::constant(x.clone()));
     values.iter().try_fold(f.clone(), put)
-}
-
-/// Shape values that satisfy what is assumed, away from the ends of their ranges where that is possible.
-fn sample(family: &Family) -> Vec<(Var, Rational)> {
-    let pieces = family.pieces(&[], &[], true);
-    let Some(piece) = pieces.first() else { return Vec::new() };
-    let inside = |range: &Range| {
-        let is_end = |x: &Rational| [&range.low, &range.high].iter().any(|end| end.value() == Some(x));
-        candidates(range, 3).into_iter().find(|x| !is_end(x)).unwrap_or_else(|| typical(range))
-    };
-    let point = piece.ranges.mapped(|(var, range)| (*var, Coordinate::Rational(inside(range))));
-    let rational = |(var, c): (Var, Coordinate)| match c {
-        Coordinate::Rational(x) => Some((var, x)),
-        Coordinate::Algebraic(_) => None,
-    };
-    piece.image(&point).into_iter().filter_map(rational).listed()
 }
 
 /// What is known of a function of one variable at some shape values; `None` when the work is spent.

@@ -18,6 +18,8 @@ mod theorem;
 mod theorem;
 mod verdict;
 
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use family::premises::inside;
 pub use family::{Table, statements as family_statements, table};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use family::{combination_text, moves};

@@ -34,7 +34,7 @@ use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-pub(in crate::state) use points::inside;
+pub(crate) use points::inside;
 use points::{ranges, sample, values};
 pub(super) use positive::Positive;
 pub(in crate::state) use search::counterexample;

@@ -17,7 +17,7 @@ const MAX_TERMS: usize = 400;
 
 /// A point, by variable, far inside of what premises leave of a box, among those at which a polynomial is looked at and is not 0 if
 /// there are any.
-pub(in crate::state) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<Rational>> {
+pub(crate) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<Rational>> {
     let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
     let counts = |point: &Vec<Rational>| domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point)));
     let points = sample(&p.clone().into(), domain)?.into_iter().filter(counts);
