@@ -33,13 +33,15 @@ pub(super) struct Known {
     pub(super) typed: Vec<Option<String>>,
 }
 
-/// A value for each shape parameter and each domain variable; `anyway` also outside of their ranges.
+/// A value for each shape parameter and each domain variable; `anyway` also outside of their ranges. Of several spans
+/// `family` is one, and messages are about the domain of the `whole` one.
 ///
 /// # Errors
 /// Every name that is unknown, doubled or missing, every value outside of its range, and the first assumption that does
 /// not hold.
 pub(super) fn values(
     family: &Family,
+    whole: &Family,
     shapes: &[Given<'_>],
     at: &[Given<'_>],
     anyway: bool,
@@ -47,6 +49,7 @@ pub(super) fn values(
     let width = width(family);
     let mut table = Table {
         family,
+        whole,
         anyway,
         values: vec![None; width],
         errors: vec![Rational::ZERO; width],
@@ -174,6 +177,7 @@ pub(super) fn written<'f>(family: &'f Family, parameter: &'f Parameter) -> &'f s
 /// The point as far as it is given.
 struct Table<'f> {
     family: &'f Family,
+    whole: &'f Family,
     anyway: bool,
     /// By variable.
     values: Vec<Option<Rational>>,
@@ -247,7 +251,7 @@ impl Table<'_> {
             Some(angle) => self.inner(angle, value),
         };
         let range = match role {
-            Role::At => domain::describe(family),
+            Role::At => domain::describe(self.whole),
             Role::Shape if tangent => parameter.range.display(name).to_string(),
             Role::Shape => family.declared(parameter),
         };
@@ -431,9 +435,9 @@ impl Table<'_> {
             let help = if barycentric.contains(&parameter.name.as_str()) {
                 format!("add {flag} {name}=…; one of the barycentric coordinates may be left out")
             } else if family.analytic.angle(parameter.var).is_some() {
-                format!("add {flag} {name}=…, a value with `{}`", family.declared(parameter))
+                format!("add {flag} {name}=…, a value with `{}`", self.whole.declared(parameter))
             } else {
-                let range = family.declared(parameter);
+                let range = self.whole.declared(parameter);
                 format!("add {flag} {name}={}, or another value with `{range}`", inside_of(parameter))
             };
             self.found.push(error(format!("the {noun} `{name}` has no value")).help(help));

@@ -2,7 +2,8 @@
 
 use std::rc::Rc;
 
-use basis_engine::{Diagnostic, Family, Library, Selected, Severity, Subject};
+use basis_engine::theorem::theorems;
+use basis_engine::{Diagnostic, Family, Item, Library, Selected, Severity, Subject};
 
 use crate::name;
 use crate::output::error;
@@ -20,6 +21,17 @@ struct Typed<'a> {
 /// # Errors
 /// The text is not a family with its order, there is no such family, or the spec has errors.
 pub(super) fn find(library: &Library<'_>, text: &str) -> Result<Rc<Family>, Vec<Diagnostic>> {
+    let found = despite_errors(library, text);
+    // A spec with errors is not what its author means, even if this family can be expanded.
+    let problems = errors(library.diagnostics());
+    if found.is_ok() && !problems.is_empty() { Err(problems) } else { found }
+}
+
+/// The same, if this family can be expanded, whatever is wrong with others.
+///
+/// # Errors
+/// The text is not a family with its order, there is no such family, or it has errors.
+pub(super) fn despite_errors(library: &Library<'_>, text: &str) -> Result<Rc<Family>, Vec<Diagnostic>> {
     let typed = parse(text).map_err(|e| vec![e])?;
     let names = library.names();
     let known: Vec<&str> = names.iter().map(|(name, _)| name.as_str()).collect();
@@ -27,15 +39,16 @@ pub(super) fn find(library: &Library<'_>, text: &str) -> Result<Rc<Family>, Vec<
     let item = in_order(library, family, &typed.order).and_then(|order| {
         library.item(family, &order).map_err(|e| e.map(|(message, help)| error(message).help(help)))
     });
-    // A spec with errors is not what its author means, even if this family can be expanded.
-    let problems = errors(library.diagnostics());
     match item {
-        Ok(item) if problems.is_empty() => match item.subject {
-            Subject::Family(family) => Ok(family),
-            Subject::Theorem(_) => Err(problems),
-        },
-        Ok(_) | Err(None) => Err(problems),
-        Err(Some(error)) => Err(problems.into_iter().chain([error]).collect()),
+        Ok(Item { subject: Subject::Family(family), .. }) => Ok(family),
+        Ok(_) | Err(None) => Err(errors(library.diagnostics())),
+        Err(Some(mut error)) => {
+            let theorems = theorems(library);
+            if let Some(other) = theorems.iter().find(|other| other.subject.name() == typed.name) {
+                error.message = format!("`{}` is a {}, not a family", typed.name, other.subject.kind());
+            }
+            Err(errors(library.diagnostics()).into_iter().chain([error]).collect())
+        }
     }
 }
 

@@ -47,6 +47,11 @@ pub(crate) fn find_family(library: &Library<'_>, text: &str) -> Result<Rc<Family
     family::find(library, text)
 }
 
+/// The same, if this family can be expanded, whatever is wrong with others.
+pub(crate) fn find_despite_errors(library: &Library<'_>, text: &str) -> Result<Rc<Family>, Vec<Diagnostic>> {
+    family::despite_errors(library, text)
+}
+
 /// The only family of a spec, in its lowest order.
 pub(crate) fn only_family(library: &Library<'_>) -> Result<Rc<Family>, Vec<Diagnostic>> {
     family::only(library)

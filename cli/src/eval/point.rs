@@ -94,17 +94,17 @@ impl Point {
     ) -> Result<Self, Vec<Diagnostic>> {
         let spans = if family.pieces.is_empty() { std::slice::from_ref(family) } else { &family.pieces };
         for piece in spans.iter().rev() {
-            if let Ok(known) = assign::values(piece, shapes, at, false) {
+            if let Ok(known) = assign::values(piece, family, shapes, at, false) {
                 return Ok(Self { family: Rc::clone(piece), known });
             }
         }
         let Some(first) = spans.first() else { return Err(Vec::new()) };
-        let known = assign::values(first, shapes, at, anyway)?;
+        let known = assign::values(first, family, shapes, at, anyway)?;
         if let (Some(last), Some(var)) = (spans.last(), first.domain.first())
             && spans.len() > 1
             && var.range.low.value().is_some_and(|low| known.values[var.var.0] > *low)
         {
-            let known = assign::values(last, shapes, at, anyway)?;
+            let known = assign::values(last, family, shapes, at, anyway)?;
             return Ok(Self { family: Rc::clone(last), known });
         }
         Ok(Self { family: Rc::clone(first), known })

@@ -31,11 +31,12 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     let (families, theorems) = match (&arguments.name, named) {
         (Some(_), Some(theorem)) => (Ok(Vec::new()), vec![theorem.clone()]),
         (Some(name), None) => {
-            let mut found = eval::find_family(&library, name).map(|family| vec![family]);
+            let mut found = eval::find_despite_errors(&library, name).map(|family| vec![family]);
             let known: Vec<&str> = theorems.iter().map(|t| t.subject.name()).collect();
             if let (Err(errors), false) = (&mut found, known.is_empty()) {
                 let known = format!("joins and theorems here: {}", known.join(", "));
-                errors.iter_mut().take(1).for_each(|error| error.notes.push(known.clone()));
+                let unknown = errors.iter_mut().find(|error| error.labels.is_empty());
+                unknown.into_iter().for_each(|error| error.notes.push(known.clone()));
             }
             (found, Vec::new())
         }

@@ -15,6 +15,13 @@ fn folder() -> Folder {
             "prism.basis",
             "family F { domain triangle (u, v, w), 0 <= z <= 1, triangle (r, s, t); b[0] = u*z*r; }",
         )
+        .and(
+            "spans.basis",
+            "family F { domain 0 <= x <= 1, 1 <= x <= 2, 2 <= x <= 4; b[0] = x | x | 2; }
+            family G { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; }
+            theorem T { curve P = G; prove P(0) = P[0]; }
+            join J { curve P = G; curve Q = G; let Q[0] = P[1]; prove Q(0) = P(1); }",
+        )
         .and("triangle.basis", "family F { domain triangle (u, v, w); b[0] = u*w; }")
         .and(
             "two.basis",
@@ -44,6 +51,22 @@ fn families() {
     fails("quartic.basis Cubic --at t=1", &[("there is no family `Cubic`", "QuarticBernstein")]);
     fails("quartic.basis (3) --at t=1", &[("`(3)` is not a family", "write its name")]);
     fails("quartic.basis Bernstein(3 --at t=1", &[("`Bernstein(3` is not a family", "write its name")]);
+}
+
+/// What is about a family on several spans names all of them.
+#[test]
+fn several_spans() {
+    let whole = "`0 <= x <= 1, 1 <= x <= 2, 2 <= x <= 4`";
+    let outside = format!("x = 5 is outside of the domain {whole}");
+    fails("spans.basis F --at x=5", &[(&outside, "--at x=1/2")]);
+    fails("spans.basis F --at x=-1", &[(&outside.replace("= 5", "= -1"), "--at x=1/2")]);
+    fails("spans.basis F", &[("the domain variable `x` has no value", whole)]);
+}
+
+#[test]
+fn theorems_are_no_families() {
+    fails("spans.basis T --at t=1", &[("`T` is a theorem, not a family", "families here are F, G")]);
+    fails("spans.basis J --at t=1", &[("`J` is a join, not a family", "families here are F, G")]);
 }
 
 #[test]

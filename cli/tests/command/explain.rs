@@ -99,6 +99,23 @@ fn mistakes() {
     assert_eq!(folder.run(&["explain", "missing.basis"]).code, 2);
 }
 
+/// A family is explained whatever is wrong with others.
+#[test]
+fn one_family_among_mistakes() {
+    let spec = "family Good { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; }
+        family Bad { domain 0 <= t <= 1; b[0] = zz; }
+        theorem About { curve P = Bad; prove P(0) = P[0]; }
+        theorem Other { curve P = Good; prove P(0) = P[0]; }";
+    let folder = Folder::with("m.basis", spec);
+    for name in ["Good", "Other"] {
+        let run = folder.run(&["explain", "m.basis", name]);
+        assert!(run.stdout.contains("Good"), "{}", run.stderr);
+    }
+    let run = folder.run(&["explain", "m.basis", "Bad"]);
+    assert!(run.stdout.is_empty() && run.stderr.contains("`zz` is not declared"), "{}", run.stderr);
+    assert!(!run.stderr.contains("joins and theorems here"), "{}", run.stderr);
+}
+
 /// What stands under the title of the largest ranges.
 fn ranges(spec: &str, family: &str) -> Vec<String> {
     let run = Folder::with("f.basis", spec).run(&["explain", "f.basis", family]);
