@@ -138,14 +138,17 @@ fn derivatives(
     Some(rows)
 }
 
-/// The continuation with geometric continuity of an order; `None` where there are no [`EndPoints`].
+/// The continuation with geometric continuity of an order; `None` where there are no [`EndPoints`]. Of several spans one
+/// curve ends on the last one, and the other starts on the first one.
 pub fn continuation(family: &Family, order: u32, side: Side) -> Option<Continuation> {
-    let (var, low, high) = family.interval()?;
     let (shapes, len) = (family.shapes.len(), family.functions.len());
-    let ends = EndPoints::up_to(family, order, side == Side::After);
+    let (first, last) = outermost(family);
+    let (of_p, of_q) = if side == Side::After { (last, first) } else { (first, last) };
+    let ends = EndPoints::up_to(of_q, order, side == Side::After);
     let end = ends.into_iter().find(|end| end.positions.len() == order as usize + 1)?;
     let work = &mut Work::new(WORK);
-    let given = derivatives(family, var, if side == Side::After { high } else { low }, order, work)?;
+    let (var, low, high) = of_p.interval()?;
+    let given = derivatives(of_p, var, if side == Side::After { high } else { low }, order, work)?;
     // Shape parameters of P are variables 0, 1, …, those of Q follow, then f and c.
     let of_q: Vec<Var> = (0..family.names.len()).map(|k| Var(k + shapes)).listed();
     let (f, c) = (Var(2 * shapes), Var(2 * shapes + 1));
@@ -206,6 +209,15 @@ pub fn continuation(family: &Family, order: u32, side: Side) -> Option<Continuat
     });
     let points = points.listed();
     Some(Continuation { side, order, names, scalars, points, determined, determinant })
+}
+
+/// The families on the first and on the last span.
+pub(crate) fn outermost(family: &Family) -> (&Family, &Family) {
+    match family.pieces.as_slice() {
+        [] => (family, family),
+        [first, .., last] => (first, last),
+        [only] => (only, only),
+    }
 }
 
 fn entries(form: &Form) -> Vec<(usize, Fraction)> {

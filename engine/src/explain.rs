@@ -13,7 +13,7 @@ mod theorems;
 pub use contacts::{Contact, contacts};
 pub use dependence::{describe_exception, exceptional_set};
 pub use extrema::{AllExtrema, Extrema, Extremum, Locus, LocusKind, extrema};
-pub use matrices::{Matrix, MatrixKind, conversions, matrices, matrices_left_out};
+pub use matrices::{Matrix, MatrixKind, conversions, matrices, matrices_left_out, matrices_of_whole_domain};
 pub use nonnegative::{NonnegativeRange, nonnegative_ranges};
 pub use theorems::determined_points;
 

@@ -53,10 +53,13 @@ pub(super) struct FamilyFacts {
     pub(super) rounding: Vec<Rounding>,
     /// What they assume of sines, exponentials and the like; nothing without these.
     pub(super) rounding_assumes: Option<String>,
-    /// The control points that contacts determine.
+    /// The control points that contacts determine; of several spans, at the ends of the whole domain, with the first one.
     pub(super) contacts: Vec<Contact>,
     /// Matrices: to and from the Bernstein basis and another family, degree elevation, mass, stiffness, moments.
     pub(super) matrices: Vec<MatrixFacts>,
+    /// Mass, stiffness and moments of the whole domain of several spans; with the first one.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) matrices_of_whole_domain: Vec<MatrixFacts>,
     /// Which matrices are left out, and why.
     pub(super) matrices_open: Option<String>,
     /// Zeros and extrema of the functions that are negative somewhere.
@@ -268,6 +271,8 @@ impl FamilyFacts {
     ) -> Self {
         let set = explain::exceptional_set(family);
         let all_extrema = explain::extrema(span);
+        let is_first = family.pieces.first().is_none_or(|first| core::ptr::eq(&raw const **first, span));
+        let contacts = if is_first { explain::contacts(family) } else { Vec::new() };
         let function = |facts: FunctionFacts| {
             let FunctionFacts { label, factored, expanded, bernstein, .. } = facts;
             let latex = latex::math(&factored).unwrap_or_default();
@@ -295,7 +300,12 @@ impl FamilyFacts {
                 .iter()
                 .map(|(of, bound)| Rounding { of: of.clone(), bound: bound.clone() })
                 .collect(),
-            contacts: explain::contacts(span).into_iter().map(contact).collect(),
+            contacts: contacts.into_iter().map(contact).collect(),
+            matrices_of_whole_domain: if is_first {
+                explain::matrices_of_whole_domain(library, family).iter().map(matrix).collect()
+            } else {
+                Vec::new()
+            },
             matrices: conversions.iter().chain(&explain::matrices(library, span, next)).map(matrix).collect(),
             matrices_open: explain::matrices_left_out(span),
             extrema: all_extrema.known.into_iter().map(extrema).collect(),

@@ -2,7 +2,7 @@
 
 use basis_engine::query::latex::{escape, inline, math, name as latex_name};
 
-use super::facts::{ClaimFacts, Contact, Equation, Facts, FamilyFacts, TheoremFacts};
+use super::facts::{ClaimFacts, Contact, Equation, Facts, FamilyFacts, MatrixFacts, TheoremFacts};
 use super::lines::{display, loose};
 use super::places;
 
@@ -70,6 +70,10 @@ fn family(facts: &FamilyFacts, spans: &[&FamilyFacts]) -> String {
         text +=
             &if relation.is_empty() { String::from(".\n\n") } else { format!(": {}.\n\n", inline(relation)) };
     }
+    if facts.whole_domain.is_some() {
+        text += &contacts(facts);
+        text += &matrices(&facts.matrices_of_whole_domain);
+    }
     for span in spans {
         if spans.len() > 1 {
             text += &format!("\\subsection*{{On {}}}\n", domain(&span.domain));
@@ -87,21 +91,10 @@ fn of_span(facts: &FamilyFacts) -> String {
         text += &format!("A curve $C = \\sum_i {}_i P_i$ has at its ends\n", latex_name(b));
         text += &display(facts.ends.iter().map(|e| e.latex.clone()));
     }
-    for contact in &facts.contacts {
-        text += &of_contact(contact);
+    if facts.whole_domain.is_none() {
+        text += &contacts(facts);
     }
-    for matrix in facts.matrices.iter().filter(|m| m.columns.len() <= MAX_COLUMNS) {
-        let (title, formula) = matrix.title.split_once(": ").unwrap_or((&matrix.title, ""));
-        let formula = if formula.is_empty() { String::new() } else { format!(". {}", sum(formula)) };
-        let (shown, letters) = super::matrix::matrix(&matrix.entries);
-        // The heading ends with its full stop.
-        let (stop, formula) = formula.split_at(formula.len().min(1));
-        text += &format!("\\paragraph{{{}{stop}}}{formula}\n{shown}", words(title));
-        if !letters.is_empty() {
-            text += &format!("with\n{}", display(letters.into_iter()));
-        }
-        text.push('\n');
-    }
+    text += &matrices(&facts.matrices);
     if let Some(left_out) = &facts.matrices_open {
         text += &format!("{}\n\n", escape(left_out));
     }
@@ -121,6 +114,28 @@ fn of_span(facts: &FamilyFacts) -> String {
     for open in &facts.extrema_open {
         let (name, why) = (inline(&open.name), escape(&open.why));
         text += &format!("Zeros and extrema of {name} are not stated: {why}.\n\n");
+    }
+    text
+}
+
+/// What contacts with another curve determine.
+fn contacts(facts: &FamilyFacts) -> String {
+    facts.contacts.iter().map(of_contact).collect()
+}
+
+fn matrices(all: &[MatrixFacts]) -> String {
+    let mut text = String::new();
+    for matrix in all.iter().filter(|m| m.columns.len() <= MAX_COLUMNS) {
+        let (title, formula) = matrix.title.split_once(": ").unwrap_or((&matrix.title, ""));
+        let formula = if formula.is_empty() { String::new() } else { format!(". {}", sum(formula)) };
+        let (shown, letters) = super::matrix::matrix(&matrix.entries);
+        // The heading ends with its full stop.
+        let (stop, formula) = formula.split_at(formula.len().min(1));
+        text += &format!("\\paragraph{{{}{stop}}}{formula}\n{shown}", words(title));
+        if !letters.is_empty() {
+            text += &format!("with\n{}", display(letters.into_iter()));
+        }
+        text.push('\n');
     }
     text
 }

@@ -201,6 +201,10 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
         if !another_span {
             summary(&mut text, &facts.claims);
             independence(&mut text, facts);
+            contacts(&mut text, facts);
+            for matrix in &facts.matrices_of_whole_domain {
+                grid(&mut text, matrix);
+            }
             text.push('\n');
         }
         text += &format!("  On {}\n", facts.domain);
@@ -222,11 +226,8 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
     if let Some(assumed) = &facts.rounding_assumes {
         text += &format!("    {assumed}\n");
     }
-    for contact in &facts.contacts {
-        section(&mut text, &contact.title, pairs(&contact.points));
-        if !contact.conditions.is_empty() {
-            text += &format!("    for {}\n", contact.conditions.join(" and "));
-        }
+    if facts.whole_domain.is_none() {
+        contacts(&mut text, facts);
     }
     for matrix in &facts.matrices {
         grid(&mut text, matrix);
@@ -244,6 +245,16 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
         }
     }
     text
+}
+
+/// What contacts with another curve determine.
+fn contacts(text: &mut String, facts: &FamilyFacts) {
+    for contact in &facts.contacts {
+        section(text, &contact.title, pairs(&contact.points));
+        if !contact.conditions.is_empty() {
+            *text += &format!("    for {}\n", contact.conditions.join(" and "));
+        }
+    }
 }
 
 /// Where the functions are linearly dependent.

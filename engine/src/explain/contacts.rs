@@ -1,13 +1,15 @@
 //! Joins as formulas: the control points that a contact of two curves of a family determines.
 
+use super::shape_values;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
+use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
-use crate::continuation::{Side, continuation};
+use crate::continuation::{Side, continuation, outermost};
 use crate::model::Family;
 use crate::theorem::Unit;
 use crate::weights::{combination, zero, zeros};
+use basis_prover::collections::list::Listed;
 
 /// A contact of two curves of a family and the control points that it determines.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,15 +23,16 @@ pub struct Contact {
 }
 
 /// What the contacts C1, G1, C2 and G2 at both ends of a curve P over a family on an interval say about another curve
-/// Q; a contact is left out where the derivatives at the end are dependent for all shape values.
+/// Q, of several spans at both ends of the whole domain; a contact is left out where the derivatives at the end are dependent for all shape values.
 pub fn contacts(family: &Family) -> Vec<Contact> {
     [Side::After, Side::Before].iter().flat_map(|side| at_end(family, *side)).collect()
 }
 
 fn at_end(family: &Family, side: Side) -> Vec<Contact> {
-    let Some([low, high]) = family.end_texts() else { return Vec::new() };
+    let (first, last) = outermost(family);
+    let (Some([low, _]), Some([_, high])) = (first.end_texts(), last.end_texts()) else { return Vec::new() };
     // The formulas are in the shape parameters alone.
-    if !family.analytic.ranges.is_empty() || !family.analytic.numbers().is_empty() {
+    if [first, last].iter().any(|f| !f.analytic.ranges.is_empty() || !f.analytic.numbers().is_empty()) {
         return Vec::new();
     }
     let (words, here, there) = match side {
@@ -43,6 +46,7 @@ fn at_end(family: &Family, side: Side) -> Vec<Contact> {
         let names = &general.names;
         let conditions: Vec<String> = zeros(&general.determinant, &region, family.budget)
             .iter()
+            .filter(|factor| !is_ruled_out(family, factor))
             .map(|factor| zero(factor, names).replace(" = ", " != "))
             .collect();
         let name = |k: u32, curve: &str, end: &str| format!("{curve}{}({end})", "'".repeat(k as usize));
@@ -81,4 +85,14 @@ fn at_end(family: &Family, side: Side) -> Vec<Contact> {
         }
     }
     all
+}
+
+/// Whether a polynomial in the shape parameters of Q vanishes nowhere where what is assumed holds.
+fn is_ruled_out(family: &Family, factor: &Poly) -> bool {
+    let shapes = family.shapes.len();
+    if !factor.variables().iter().all(|v| (shapes..2 * shapes).contains(&v.0)) {
+        return false;
+    }
+    let map = (0..2 * shapes).map(|k| Var(k.checked_sub(shapes).unwrap_or(k))).listed();
+    shape_values::vanishes_nowhere(family, &factor.rename(&map))
 }

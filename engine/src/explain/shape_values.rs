@@ -1,8 +1,10 @@
 //! Values of the shape parameters that count: in their ranges, in the order of a chain, and as it is assumed.
 
-use basis_kernel::{Domain, Values};
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Relation, Statement, Values};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::{Coordinate, candidates, typical};
+use basis_prover::{Coordinate, candidates, decide, typical};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -124,6 +126,23 @@ fn far_inside(domain: &Domain) -> Option<Values> {
     let point = state::inside(&first.0, domain)?;
     let value = |(var, _): &(Var, Range)| Some((*var, point.get(var.0)?.clone()));
     domain.region.ranges.iter().map(value).collect()
+}
+
+/// Whether it is proved that a polynomial vanishes at no shape values that count, where these are no box.
+pub(super) fn vanishes_nowhere(family: &Family, p: &Poly) -> bool {
+    let is_positive = |p: &Poly, piece: &Piece| {
+        let Some(p) = piece.pull_back(p) else { return false };
+        let domain = Rc::new(piece.domain());
+        let positive = Statement::Sign { value: p.into(), relation: Relation::Positive, domain };
+        let plain = || decide(positive.clone(), &Vec::new(), family.budget).is_ok();
+        if piece.is_exact() {
+            plain()
+        } else {
+            state::proved_from_premises(&positive, family.budget).is_some()
+        }
+    };
+    let pieces = if family.constraints.is_empty() { Vec::new() } else { family.pieces(&[], &[], true) };
+    !pieces.is_empty() && pieces.iter().all(|piece| is_positive(p, piece) || is_positive(&-p, piece))
 }
 
 /// Shape values at which a function is negative, if the claim that it is nowhere is refuted.

@@ -19,7 +19,7 @@ mod theorem;
 mod verdict;
 
 #[cfg(any(test, feature = "tools"))]
-pub(crate) use family::premises::inside;
+pub(crate) use family::premises::{inside, proved as proved_from_premises};
 pub use family::{Table, statements as family_statements, table};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use family::{combination_text, moves};

@@ -122,7 +122,7 @@ pub(in crate::state) fn tried(statement: &Statement, noted: &mut Vec<usize>) -> 
 }
 
 /// The first way that leads to proofs, with these.
-pub(in crate::state) fn proved(statement: &Statement, budget: u32) -> Option<(usize, Vec<Proof>)> {
+pub(crate) fn proved(statement: &Statement, budget: u32) -> Option<(usize, Vec<Proof>)> {
     let mut found = None;
     ways(statement, &mut |number, enough| {
         let proof =
