@@ -198,7 +198,7 @@ fn contacts_and_matrices_of_the_whole_domain() {
     assert!(whole.contains("Mass matrix of the whole domain") && whole.contains("C1, Q after P"), "{whole}");
     assert!(!spans.contains("after P"), "{spans}");
     let run = folder.run(&["explain", "k.basis", "Hats"]);
-    let row = "    f[1]          1/6*d1  1/3*d1 + 1/3*d2          1/6*d2\n";
+    let row = "    f[1]  1/6*d1  1/3*d1 + 1/3*d2  1/6*d2\n";
     assert!(run.stdout.contains(row), "{}", run.stdout);
 }
 
