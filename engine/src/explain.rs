@@ -2,6 +2,7 @@
 //! do at their ends.
 
 mod contacts;
+mod definitions;
 mod dependence;
 mod extrema;
 mod matrices;
@@ -11,6 +12,7 @@ mod shape_values;
 mod theorems;
 
 pub use contacts::{Contact, contacts};
+pub use definitions::definitions;
 pub use dependence::{describe_exception, exceptional_set};
 pub use extrema::{AllExtrema, Extrema, Extremum, Locus, LocusKind, extrema};
 pub use matrices::{Matrix, MatrixKind, conversions, matrices, matrices_left_out, matrices_of_whole_domain};

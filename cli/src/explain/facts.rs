@@ -70,6 +70,9 @@ pub(super) struct FamilyFacts {
     pub(super) nonnegative: Vec<String>,
     /// The claims with their verdicts; none where they are not asked for.
     pub(super) claims: Vec<ClaimFacts>,
+    /// What names in the claims stand for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) definitions: Vec<Equation>,
 }
 
 /// A function in all its forms.
@@ -191,6 +194,9 @@ pub(super) struct TheoremFacts {
     /// The control points that it determines.
     pub(super) points: Vec<Equation>,
     pub(super) claims: Vec<ClaimFacts>,
+    /// What names in the claims stand for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) definitions: Vec<Equation>,
     /// With a title and all of that, as text.
     #[serde(skip)]
     pub(super) heading: String,
@@ -312,13 +318,14 @@ impl FamilyFacts {
             extrema_open: all_extrema.open.into_iter().map(|(name, why)| Open { name, why }).collect(),
             nonnegative: explain::nonnegative_ranges(span).iter().map(ToString::to_string).collect(),
             claims: checked.map_or_else(Vec::new, claims),
+            definitions: checked.map_or_else(Vec::new, |checked| definitions(library, checked)),
         }
     }
 }
 
 impl Facts {
     /// What a join or theorem says.
-    pub(super) fn theorem(checked: &Checked) -> Option<Self> {
+    pub(super) fn theorem(library: &Library<'_>, checked: &Checked) -> Option<Self> {
         let Subject::Theorem(theorem) = &checked.subject else { return None };
         let patch = |p: &basis_engine::theorem::Patch| format!("{} = {}", p.name, p.written);
         let facts = TheoremFacts {
@@ -328,6 +335,7 @@ impl Facts {
             scalars: theorem.conditions(),
             points: explain::determined_points(theorem).into_iter().map(equation).collect(),
             claims: claims(checked),
+            definitions: definitions(library, checked),
             heading: domain::theorem_heading(theorem, &theorem.title()),
         };
         Some(match checked.subject.kind() {
@@ -335,6 +343,12 @@ impl Facts {
             _ => Self::Theorem(facts),
         })
     }
+}
+
+/// What names in claims stand for.
+fn definitions(library: &Library<'_>, checked: &Checked) -> Vec<Equation> {
+    let claims: Vec<&Claim> = checked.claims.iter().map(|(claim, _)| claim).collect();
+    explain::definitions(library, &checked.subject, &claims).into_iter().map(equation).collect()
 }
 
 fn claims(checked: &Checked) -> Vec<ClaimFacts> {

@@ -63,6 +63,7 @@ fn family(facts: &FamilyFacts, spans: &[&FamilyFacts]) -> String {
         text += &display(span.functions.iter().map(function));
     }
     text += "\\end{definition}\n\n";
+    text += &names(&facts.definitions);
     text += &claims(&facts.claims);
     for exception in &facts.dependent {
         let (values, relation) = exception.split_once(": ").unwrap_or((exception, ""));
@@ -235,6 +236,7 @@ fn theorem(facts: &TheoremFacts) -> String {
         text += "The control points are\n";
         text += &display(facts.points.iter().map(|e| e.latex.clone()));
     }
+    text += &names(&facts.definitions);
     text + &claims(&facts.claims)
 }
 
@@ -245,6 +247,14 @@ fn head(title: &str, doc: &[String]) -> String {
         text.push('\n');
     }
     text + "\n"
+}
+
+/// What names in the claims stand for.
+fn names(definitions: &[Equation]) -> String {
+    if definitions.is_empty() {
+        return String::new();
+    }
+    format!("In what follows\n{}\n", display(definitions.iter().map(|e| e.latex.clone())))
 }
 
 /// What is proved as a theorem, what is refuted as a remark.

@@ -108,7 +108,7 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
             all.push(Facts::Family(Box::new(facts)));
         }
     }
-    all.extend(theorems.iter().filter_map(Facts::theorem));
+    all.extend(theorems.iter().filter_map(|checked| Facts::theorem(&library, checked)));
     let printed = match arguments.format {
         ExplainFormat::Text => {
             let mut text = String::new();
@@ -200,6 +200,7 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
     if facts.whole_domain.is_some() {
         if !another_span {
             summary(&mut text, &facts.claims);
+            names(&mut text, &facts.definitions);
             independence(&mut text, facts);
             contacts(&mut text, facts);
             for matrix in &facts.matrices_of_whole_domain {
@@ -213,6 +214,7 @@ fn text(facts: &FamilyFacts, another_span: bool) -> String {
     section(&mut text, "Expanded", facts.functions.iter().map(|f| (&f.name, &f.expanded)));
     if facts.whole_domain.is_none() {
         summary(&mut text, &facts.claims);
+        names(&mut text, &facts.definitions);
     }
     section(&mut text, "A curve with the control points P at both ends", pairs(&facts.ends));
     if facts.whole_domain.is_none() {
@@ -314,6 +316,11 @@ fn summary(text: &mut String, claims: &[ClaimFacts]) {
     }
 }
 
+/// What names in the claims stand for.
+fn names(text: &mut String, definitions: &[Equation]) {
+    section(text, "Names in the claims", pairs(definitions));
+}
+
 /// A matrix with more columns is left to JSON.
 const MAX_COLUMNS: usize = 24;
 
@@ -349,6 +356,7 @@ fn theorem_text(facts: &TheoremFacts) -> String {
     for claim in &facts.claims {
         text += &format!("    {}\n      {}: {}\n", claim.claim, claim.verdict, claim.reason);
     }
+    names(&mut text, &facts.definitions);
     text
 }
 

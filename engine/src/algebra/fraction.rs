@@ -292,6 +292,16 @@ impl Fraction {
         match self.as_poly() {
             Some(p) => p.display(names).to_string(),
             None => {
+                // 1/(2*p), not 1/2/p.
+                let number = self.numer.as_constant().filter(|c| !c.is_integer());
+                if let Some(c) = number {
+                    let whole = c.denom();
+                    let below = match self.denom.len() {
+                        1 => self.denom.scale(&whole).display(names).to_string(),
+                        _ => format!("{whole}*{}", part(&self.denom)),
+                    };
+                    return format!("{}/({below})", c.numer());
+                }
                 let (above, below) = (part(&self.numer), part(&self.denom));
                 let product = self.denom.len() == 1 && below.contains('*');
                 if product { format!("{above}/({below})") } else { format!("{above}/{below}") }

@@ -245,13 +245,15 @@ impl<'t> Reader<'t> {
                 };
             }
             product = if sign == "/" {
-                // A fraction needs no brackets inside.
-                let numer = product.latex;
-                Piece {
-                    latex: format!("\\frac{{{numer}}}{{{}}}", next.latex),
-                    binds: Binds::Product,
-                    digit: false,
-                }
+                // A fraction needs no brackets inside; of a quotient divided by another number it is one.
+                let (numer, denom) = match fraction(&product.latex) {
+                    Some((numer, below)) => {
+                        let dot = if next.digit { " \\cdot " } else { "\\," };
+                        (numer.to_owned(), format!("{below}{dot}{}", next.within(Binds::Product)))
+                    }
+                    None => (product.latex, next.latex),
+                };
+                Piece { latex: format!("\\frac{{{numer}}}{{{denom}}}"), binds: Binds::Product, digit: false }
             } else {
                 let (left, right) = (product.within(Binds::Product), next.within(Binds::Product));
                 // Brackets keep their distance by themselves.
@@ -374,6 +376,8 @@ impl<'t> Reader<'t> {
             ("cross", [a, b]) => format!("\\left({a}\\right) \\times \\left({b}\\right)"),
             ("sqrt", [x]) => format!("\\sqrt{{{x}}}"),
             ("integral", [x]) => format!("\\int {x}"),
+            ("integral", [x, var]) => format!("\\int {x} \\,d{var}"),
+            ("integral", [x, var, low, high]) => format!("\\int_{{{low}}}^{{{high}}} {x} \\,d{var}"),
             ("D", [x, vars @ ..]) => derivative(x, vars),
             _ => format!("{}\\left({}\\right)", piece.latex, arguments.join(", ")),
         };
@@ -429,6 +433,13 @@ impl<'t> Reader<'t> {
         }
         Some(parts)
     }
+}
+
+/// The parts of what is a single fraction with a number below the line.
+fn fraction(latex: &str) -> Option<(&str, &str)> {
+    let (numer, denom) = latex.strip_prefix("\\frac{")?.strip_suffix('}')?.split_once("}{")?;
+    let is_number = |text: &str| text.chars().all(|c| c.is_ascii_digit());
+    (is_number(numer) && is_number(denom)).then_some((numer, denom))
 }
 
 /// Whether a formula in brackets needs none: one number or one letter.

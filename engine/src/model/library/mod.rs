@@ -100,6 +100,31 @@ impl<'f> Library<'f> {
         })
     }
 
+    /// What `let` names in a family or theorem: the names without arguments, and the statements without the word.
+    #[cfg(any(test, feature = "tools"))]
+    pub(crate) fn definitions(&self, name: &str) -> Vec<(String, String)> {
+        let statement = |unit: usize, name: &str, span: Span, last: Span| {
+            let written = self.text_at(&self.place_to(self.units[unit].source, span, last))?;
+            let written = written.trim_start().strip_prefix("let")?.trim_end_matches(';').trim();
+            Some((name.to_owned(), written.to_owned()))
+        };
+        if let Some((unit, position)) = self.find(MAIN, name) {
+            let family = self.units[unit].family(position);
+            let statements = family.map_or(&[][..], |family| &family.statements);
+            let definition = |s: &syntax::Statement| match &s.kind {
+                syntax::StatementKind::Let(def) => statement(unit, &def.name.text, s.span, s.last),
+                _ => None,
+            };
+            return statements.iter().filter_map(definition).listed();
+        }
+        let theorem = self.theorems_of(MAIN).find(|theorem| theorem.name.text == name);
+        let definition = |s: &syntax::TheoremStatement| match &s.kind {
+            syntax::TheoremStatementKind::Let(target, ..) => statement(MAIN, target.named()?, s.span, s.last),
+            _ => None,
+        };
+        theorem.map_or(&[][..], |theorem| &theorem.statements).iter().filter_map(definition).listed()
+    }
+
     /// Decides what has to hold while formulas are read.
     pub(crate) const fn judge(&self) -> &'f dyn Judge {
         self.judge
