@@ -6,9 +6,10 @@ pub use basis_kernel::collections::list::Mapped;
 /// What an iterator can be made into without the code by which `collect` reserves room.
 pub trait Listed: Iterator + Sized {
     /// All elements.
-    fn listed(self) -> Vec<Self::Item> {
+    #[expect(clippy::while_let_on_iterator, reason = "`for` compiles another function for each iterator")]
+    fn listed(mut self) -> Vec<Self::Item> {
         let mut list = Vec::new();
-        for element in self {
+        while let Some(element) = self.next() {
             list.push(element);
         }
         list

@@ -20,7 +20,7 @@ impl<K, V> Default for SortedMap<K, V> {
 
 impl<K, V> SortedMap<K, V> {
     /// An empty map.
-    pub fn new() -> Self {
+    pub const fn new() -> Self {
         Self { keys: Vec::new(), values: Vec::new() }
     }
 

@@ -22,8 +22,6 @@ pub(crate) mod tangents;
 #[path = "no_tangents.rs"]
 pub(crate) mod tangents;
 
-use std::collections::BTreeSet;
-
 use basis_prover::collections::list::Listed;
 
 use crate::algebra::divisors::factor::checked_factor;
@@ -47,8 +45,8 @@ pub(crate) struct Anew {
     /// Shape parameters that have a value.
     pub(crate) given: Given,
     /// The numbers of the statements whose claims ask for smaller parts of the angles than the functions; those of the family
-    /// as it is, if there are none.
-    pub(crate) statements: BTreeSet<usize>,
+    /// as it is, if there are none; ascending.
+    pub(crate) statements: Vec<usize>,
 }
 
 /// Which functions a variable stands in.
@@ -211,8 +209,9 @@ pub struct Analytic {
     pub roots: Vec<Root>,
     /// Ranges in which the numbers lie, and the variables of the angles themselves.
     pub ranges: Vec<(Var, Range)>,
-    /// The numbers of the statements for which the family is expanded anew, together where they need the same.
-    pub(crate) finer: Vec<BTreeSet<usize>>,
+    /// The numbers of the statements for which the family is expanded anew, together where they need the same; each list
+    /// is ascending.
+    pub(crate) finer: Vec<Vec<usize>>,
 }
 
 impl Analytic {

@@ -1,12 +1,12 @@
 //! A family on its whole domain, of one span or of several, and its claims.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use basis_prover::collections::sort::sort_by_key;
+use basis_prover::collections::map::SortedMap;
+use basis_prover::collections::sort::{sort, sort_by_key};
 
 use super::build;
-use super::claims::{self, Wanted};
+use super::claims::{self, Wanted, has};
 use super::fixed;
 use super::spans::{self, ends};
 use crate::claim::{Claim, ClaimKind};
@@ -161,9 +161,7 @@ fn claims_on_spans<'a>(
         by_span.push(all);
     }
     let mut result: Vec<Claim> = Vec::new();
-    for (number, statement) in
-        written.statements.iter().enumerate().filter(|(n, _)| wanted.numbers.contains(n))
-    {
+    for (number, statement) in written.statements.iter().enumerate().filter(|(n, _)| wanted.has(*n)) {
         let StatementKind::Claim(claim) = &statement.kind else { continue };
         let of = |all: &Vec<Claim>| all.iter().filter(|c| c.statement.number.0 == number).cloned().listed();
         let parts: Vec<(usize, Vec<Claim>)> =
@@ -202,12 +200,12 @@ fn claims_of<'a>(
     }
 }
 
-/// A family that is expanded anew, and the numbers of the statements that are about it.
+/// A family that is expanded anew, and the numbers of the statements that are about it, ascending.
 struct Apart {
     with: Anew,
     family: Option<Rc<Family>>,
     errors: Diagnostics,
-    numbers: BTreeSet<usize>,
+    numbers: Vec<usize>,
 }
 
 /// The statements about values of shape parameters, or about smaller parts of the angles, with which the family has to be
@@ -221,12 +219,11 @@ fn apart<'a>(
     let mut all: Vec<Apart> = Vec::new();
     // The groups of statements by their numbers: whole groups would be compared for every statement.
     let groups = &family.analytic.finer;
-    let group_of: BTreeMap<usize, usize> = groups
-        .iter()
-        .enumerate()
-        .flat_map(|(k, group)| group.iter().map(move |number| (*number, k)))
-        .collect();
-    let mut known: BTreeMap<(Given, Option<usize>), usize> = BTreeMap::new();
+    let numbered = groups.iter().enumerate();
+    let mut group_of = numbered.flat_map(|(k, group)| group.iter().map(move |number| (*number, k))).listed();
+    sort(&mut group_of);
+    // Boxed, because there may be thousands of keys, which move when one comes between them.
+    let mut known: SortedMap<Box<(Given, Option<usize>)>, usize> = SortedMap::new();
     for (number, statement) in written.statements.iter().enumerate() {
         let StatementKind::Claim(syntax::Claim { kind, .. }) = &statement.kind else { continue };
         let given = match kind {
@@ -235,20 +232,21 @@ fn apart<'a>(
             }
             _ => Given::new(),
         };
-        let group = group_of.get(&number).copied().filter(|_| given.is_empty());
+        let found = group_of.binary_search_by_key(&number, |(of, _)| *of).ok();
+        let group = found.map(|position| group_of[position].1).filter(|_| given.is_empty());
         if given.is_empty() && group.is_none() {
             continue;
         }
-        let at = *known.entry((given.clone(), group)).or_insert(all.len());
+        let at = *known.get_or_insert_with(Box::new((given.clone(), group)), || all.len());
         if at == all.len() {
             let statements = group.and_then(|k| groups.get(k)).cloned().unwrap_or_default();
             let with = Anew { given, statements };
             let order = family.order.iter().map(|(_, value)| *value).listed();
             let (there, errors) = anew(library, (unit, family.source), written, &order, &with);
             let family = there.filter(|_| errors.is_empty()).map(Rc::new);
-            all.push(Apart { with, family, errors, numbers: BTreeSet::new() });
+            all.push(Apart { with, family, errors, numbers: Vec::new() });
         }
-        all[at].numbers.insert(number);
+        all[at].numbers.push(number);
     }
     all
 }
@@ -260,12 +258,12 @@ pub(crate) fn claims<'a>(
     written: &'a syntax::Family,
     family: &Family,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
-    let mut numbers: BTreeSet<usize> = (0..written.statements.len()).collect();
+    let mut numbers = (0..written.statements.len()).listed();
     let apart = apart(library, unit, written, family);
     // With a value that goes wrong they are about the family as it is.
     let is_apart = |of: &&Apart| of.family.is_some() || !of.with.statements.is_empty();
     for of in apart.iter().filter(is_apart) {
-        numbers.retain(|number| !of.numbers.contains(number));
+        numbers.retain(|number| !has(&of.numbers, *number));
     }
     let mut wanted = Wanted { numbers, anew: &Anew::default() };
     let (mut all, mut obligations, mut diagnostics) = claims_of(library, unit, written, family, &mut wanted);

@@ -11,7 +11,6 @@
 //! is 0.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 
 use super::edges::primitive;
 use super::limits::{Bound, Limits};
@@ -29,6 +28,7 @@ use crate::model::formula::phase::Linear;
 use crate::model::roots::{Root, reduced};
 use crate::model::scope::Scope;
 use basis_prover::collections::list::Listed;
+use basis_prover::collections::map::SortedMap;
 
 /// The largest n, and the highest degree of tan(π/n).
 const MAX_PARTS: i64 = 60;
@@ -105,7 +105,7 @@ fn number(var: Var, parts: i64) -> Option<Algebraic> {
 /// Numbers below and above tan(π/n), which are found once: a spec may have thousands of families with the same angle.
 fn bounds(parts: i64) -> Option<(Rational, Rational)> {
     thread_local! {
-        static KNOWN: RefCell<BTreeMap<i64, (Rational, Rational)>> = const { RefCell::new(BTreeMap::new()) };
+        static KNOWN: RefCell<SortedMap<i64, (Rational, Rational)>> = const { RefCell::new(SortedMap::new()) };
     }
     if let Some(known) = KNOWN.with_borrow(|all| all.get(&parts).cloned()) {
         return Some(known);

@@ -2,7 +2,6 @@
 //! names in place of sines, and their arguments are looked at.
 
 use proc_macro2::Span;
-use std::collections::BTreeSet;
 
 use super::super::occurs::sides;
 use super::super::{functions, names};
@@ -79,7 +78,7 @@ pub(super) fn survey<'a>(
     written: &'a syntax::Family,
     names: &[String],
     shapes: usize,
-) -> (Uses, Vec<BTreeSet<usize>>) {
+) -> (Uses, Vec<Vec<usize>>) {
     let mut probe = Scope::new(scope.library, scope.unit, scope.source);
     probe.constants.clone_from(&scope.constants);
     probe.order = scope.order;
@@ -137,7 +136,8 @@ pub(super) fn survey<'a>(
             known = with;
         }
     }
-    let mut groups: Vec<(Uses, BTreeSet<usize>)> = Vec::new();
+    let mut groups: Vec<(Uses, Vec<usize>)> = Vec::new();
+    // Claims stand in the order of their numbers.
     for k in apart {
         let number = seen.claims[k].0;
         let with = together.iter().copied().chain([k]).listed();
@@ -145,10 +145,8 @@ pub(super) fn survey<'a>(
         // A mistaken claim has a message of its own.
         let alike = |known: &Uses| !own.are_mistaken() && !own.are_finer(known) && !known.are_finer(&own);
         match groups.iter_mut().find(|(known, _)| alike(known)) {
-            Some((_, group)) => {
-                group.insert(number);
-            }
-            None => groups.push((own, BTreeSet::from([number]))),
+            Some((_, group)) => group.push(number),
+            None => groups.push((own, vec![number])),
         }
     }
     (known, groups.into_iter().map(|(_, group)| group).listed())

@@ -4,7 +4,6 @@
 mod relation;
 mod values;
 
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use proc_macro2::Span;
@@ -28,10 +27,22 @@ use basis_prover::collections::list::Mapped;
 
 /// Statements of a family whose claims are asked for.
 pub(super) struct Wanted<'g> {
-    /// Their numbers.
-    pub(super) numbers: BTreeSet<usize>,
+    /// Their numbers, ascending.
+    pub(super) numbers: Vec<usize>,
     /// With what the family is expanded.
     pub(super) anew: &'g Anew,
+}
+
+impl Wanted<'_> {
+    /// Whether the statement with a number is among them.
+    pub(super) fn has(&self, number: usize) -> bool {
+        has(&self.numbers, number)
+    }
+}
+
+/// Whether a number is among others, which are ascending.
+pub(super) fn has(numbers: &[usize], number: usize) -> bool {
+    numbers.binary_search(&number).is_ok()
 }
 
 /// The claims of a family on one span, which has a number among those of all.
@@ -64,7 +75,7 @@ pub(super) fn on_span<'a>(
     for (number, statement) in written.statements.iter().enumerate() {
         match &statement.kind {
             StatementKind::Claim(_) if library.run().is_stopped() => {}
-            StatementKind::Claim(_) if !wanted.numbers.contains(&number) => {}
+            StatementKind::Claim(_) if !wanted.has(number) => {}
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
                 let first = all.len();
@@ -73,8 +84,10 @@ pub(super) fn on_span<'a>(
                 if !scope.settle(&|shapes_only| family.parts(shapes_only), family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
                 }
-                if scope.diagnostics.borrow().errors() > errors {
-                    wanted.numbers.remove(&number);
+                if scope.diagnostics.borrow().errors() > errors
+                    && let Ok(position) = wanted.numbers.binary_search(&number)
+                {
+                    wanted.numbers.remove(position);
                 }
                 for claim in &mut all[first..] {
                     claim.doc.clone_from(&statement.doc);
@@ -101,7 +114,7 @@ pub(crate) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family,
 fn is_about(scope: &Scope<'_>, family: &Family, number: usize) -> bool {
     let own = &scope.anew.statements;
     let mut others = family.analytic.finer.iter();
-    own.contains(&number) || own.is_empty() && others.all(|group| !group.contains(&number))
+    has(own, number) || own.is_empty() && others.all(|group| !has(group, number))
 }
 
 /// Appends the claims that one statement makes, which has a number in the family.
