@@ -63,7 +63,7 @@ export function start(body) {
   return at;
 }
 
-/** The place after an instruction. What the Rust compiler does not write, such as vectors, is an error. */
+/** The place after an instruction. What the Rust compiler does not write is an error. */
 export function after(body, at) {
   const op = body[at++];
   const number = () => { while (body[at++] > 127); };
@@ -86,6 +86,13 @@ export function after(body, at) {
     if (which <= 7) return next;
     if (which === 10) return next + 2; // memory.copy
     if (which === 11) return next + 1; // memory.fill
+  } else if (op === 0xfd) { // vectors
+    let which;
+    [which, at] = unsigned(body, at);
+    const [whole, lane] = [which <= 11 || which === 92 || which === 93, which >= 84 && which <= 91]; // loads and stores
+    if (whole || lane) { number(); number(); }
+    if (which === 12 || which === 13) return at + 16; // v128.const, i8x16.shuffle
+    return lane || (which >= 21 && which <= 34) ? at + 1 : at;
   } else if (op <= 0xc4 && op !== 0x1c && (op < 0x05 || op === 0x05 || op === 0x0b || op === 0x0f || op === 0x1a || op === 0x1b || op >= 0x45)) {
     return at;
   }

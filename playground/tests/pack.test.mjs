@@ -2,6 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import binaryen from 'binaryen';
+import { renumbered } from '../pack/locals.mjs';
+import { after as behind, bodies, sections, start } from '../pack/module.mjs';
 import { silent } from '../pack/traps.mjs';
 import { module } from './engine.mjs';
 
@@ -55,6 +57,43 @@ test('traps in place of panics: the same values, the same traps, and no words', 
 
 test('a module that could be heard keeps its panics', () => {
   assert.throws(() => silent(assembled('(module (import "a" "b" (func)))')), /could be heard/);
+});
+
+const MANY = `(module
+  (func (export "mean") (param f64 f64) (result f64) (local $unused i64) (local $n i32) (local $sum f64) (local $one f64)
+    (local.set $one (f64.const 1))
+    (local.set $sum (f64.add (local.get 1) (local.tee $one (local.get 0))))
+    (local.set $n (i32.add (local.get $n) (i32.const 2)))
+    (f64.div (local.get $sum) (f64.convert_i32_s (local.get $n))))
+  (func (export "constant") (result i32) (i32.const 7)))`;
+
+test('variables in the order in which they are named first: the same values', async () => {
+  const before = assembled(MANY);
+  const after = renumbered(before);
+  const quiet = await instance(after);
+  assert.equal(quiet.mean(3, 4), 3.5);
+  assert.equal(quiet.constant(), 7);
+  const [body] = bodies(sections(after).find(({ id }) => id === 10).content);
+  // Two of 64-bit floating point and one of 32 bits; what is not named is gone.
+  assert.deepEqual([...body.subarray(0, start(body))], [2, 2, 0x7c, 1, 0x7f]);
+  const set = [];
+  for (let at = start(body); at < body.length; at = behind(body, at)) if (body[at] === 0x21) set.push(body[at + 1]);
+  assert.deepEqual(set, [2, 3, 4]);
+});
+
+const VECTORS = `(module (memory 1)
+  (func (export "sum") (param i32) (result i32) (local v128)
+    (local.set 1 (i32x4.add (v128.load offset=16 (i32.const 0)) (i8x16.shuffle 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 (i32x4.splat (local.get 0)) (v128.const i32x4 1 2 3 4))))
+    (v128.store32_lane offset=4 2 (i32.const 0) (v128.load32_lane 1 (i32.const 4) (local.get 1)))
+    (i32.add (i32x4.extract_lane 3 (i32x4.replace_lane 3 (local.get 1) (local.get 0))) (i32.load offset=4 (i32.const 0)))))`;
+
+test('instructions on vectors are gone through, with what belongs to them', async () => {
+  const before = assembled(VECTORS);
+  assert.equal((await instance(silent(before))).sum(5), 10);
+  const [body] = bodies(sections(before).find(({ id }) => id === 10).content);
+  let at = start(body);
+  while (at < body.length) at = behind(body, at);
+  assert.equal(at, body.length);
 });
 
 test('the engine comes back from its file', async () => {

@@ -173,7 +173,7 @@ impl<C: Coder> Bytes for Mixer<C> {
             let mut place = [0; WIDTH];
             let mut slot = [FRESH; WIDTH];
             for i in 0..CONTEXTS {
-                place[i] = ((base[i] as usize ^ node & 15) + (node & !15)) & MASK;
+                place[i] = (base[i] as usize ^ node) & MASK; // all nodes of a context within one page of memory
                 slot[i] = slots[place[i]];
             }
             let mut count = [0.0; WIDTH];
