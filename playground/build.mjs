@@ -50,7 +50,8 @@ function unpacking(bytes) {
   const module = binaryen.readBinary(bytes);
   module.setFeatures(binaryen.Features.All);
   module.removeExport('packed');
-  module.runPasses(['remove-unused-module-elements']);
+  module.optimize();
+  module.runPasses(['strip-debug', 'strip-producers', 'strip-target-features']);
   const smaller = module.emitBinary();
   module.dispose();
   return smaller;

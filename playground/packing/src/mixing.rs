@@ -16,18 +16,22 @@ pub(crate) const CONTEXTS: usize = 11;
 /// As many numbers as contexts, and further ones that fill a vector of the processor.
 const WIDTH: usize = CONTEXTS.next_multiple_of(4);
 
-/// log2 of the number of slots for what was seen in contexts.
-const BITS: u32 = 22;
-const MASK: usize = (1 << BITS) - 1;
+/// Slots for what was seen in contexts: 5 MB in blocks, one for all decisions of a byte in a context. With 8 MB the page is
+/// 6 kB smaller, but takes a fifth longer to unpack, most of which is waiting for memory.
+const BLOCKS: usize = 5 << 10;
+const BLOCK: usize = 256;
+const SLOTS: usize = BLOCKS * BLOCK;
 /// Of a slot, which has a probability of 16 bits, 10 bits of the context that it belongs to, and a count up to `LIMIT`.
 const OWNER: u32 = 0xffc0;
 const COUNT: u32 = 0x3f;
 /// One half, never seen.
 const FRESH: u32 = 0x8000_0000;
-const LIMIT: u32 = 16;
+const LIMIT: u32 = 10;
+/// A slot that was seen more often than this is not given to another context at once.
+const OFTEN: u32 = 5;
 /// How far weights move at first and in the end. With each decision, `SETTLE` of what is between is left behind.
 const LEARN: f32 = 0.006;
-const LEARN_LAST: f32 = 0.0015;
+const LEARN_LAST: f32 = 0.001;
 const SETTLE: f32 = 1.0 / 500_000.0;
 /// Weights at first.
 const WEIGHT: f32 = 0.1;
@@ -104,7 +108,7 @@ impl<C: Coder> Mixer<C> {
         Mixer {
             coder,
             trees: Vec::new(),
-            slots: vec![FRESH; 1 << BITS],
+            slots: vec![FRESH; SLOTS],
             learn: LEARN,
             by_node: vec![[WEIGHT; WIDTH]; KINDS * 256],
             by_sure: vec![[WEIGHT; WIDTH]; KINDS * SURE],
@@ -153,10 +157,11 @@ impl<C: Coder> Bytes for Mixer<C> {
             let h = base[i] ^ ((kind * WIDTH + i + 1) as u32).wrapping_mul(0x3d4d_51cb);
             let h = h.wrapping_mul(0x9e37_79b1);
             let h = (h ^ (h >> 15)).wrapping_mul(0x85eb_ca6b);
-            base[i] = h >> (32 - BITS);
+            let block = ((h >> 16) * BLOCKS as u32) >> 16;
+            base[i] = block * BLOCK as u32 + h % BLOCK as u32;
             owner[i] = h.wrapping_mul(0x2545_f491) >> 16 & OWNER;
         }
-        let slots: &mut [u32; 1 << BITS] = (&mut self.slots[..]).try_into().expect("as many as there are");
+        let slots: &mut [u32; SLOTS] = (&mut self.slots[..]).try_into().expect("as many as there are");
         let stretch: &[f32; TABLE] = self.stretch[..].try_into().expect("as many as there are");
         let squash: &[f32; TABLE + 1] = self.squash[..].try_into().expect("as many as there are");
         let logistic = |x: f32| {
@@ -173,9 +178,10 @@ impl<C: Coder> Bytes for Mixer<C> {
             let mut place = [0; WIDTH];
             let mut slot = [FRESH; WIDTH];
             for i in 0..CONTEXTS {
-                place[i] = (base[i] as usize ^ node) & MASK; // all nodes of a context within one page of memory
+                place[i] = (base[i] as usize ^ node).min(SLOTS - 1); // within the block: the minimum is for the compiler
                 slot[i] = slots[place[i]];
             }
+            let held = slot;
             let mut count = [0.0; WIDTH];
             let mut fresh = 0;
             for i in 0..WIDTH {
@@ -215,6 +221,9 @@ impl<C: Coder> Bytes for Mixer<C> {
                 let p = p + (((goal - p) * rate) >> 15);
                 let more = u32::from(slot[i] & COUNT < LIMIT);
                 slot[i] = ((p as u32) << 16 | slot[i] & 0xffff) + more;
+                // What was seen often in another context stays for a while.
+                let stays = held[i] & OWNER != owner[i] && held[i] & COUNT > OFTEN;
+                slot[i] = if stays { held[i] - 1 } else { slot[i] };
             }
             for i in 0..CONTEXTS {
                 slots[place[i]] = slot[i];
