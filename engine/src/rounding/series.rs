@@ -13,9 +13,12 @@
 //!
 //! (n y + 1) + n y + 2(1 + n y) + 1 = 4 n y + 4.
 //!
-//! What is of higher order is a multiple of n²u with a factor below 25, and n w u of a coordinate that is off by w u, of which
+//! Where all cⱼ that are not 0 have one sign, the sums are at most n times the value, which makes 4 n + 4 and n w of these, relative to
+//! it, and coefficients that are off relatively count so.
+//!
+//! What is of higher order is a multiple of n²u with a factor below 50, and n w u of a coordinate that is off by w u, of which
 //! the first order is n w y max|cᵢ − cⱼ|: both are less than 1 for n ≤ 64 and n w ≤ 512. That is counted by hand, as are the
-//! coordinates in file `angles`; `engine/tests/proofs/rounding_of_series.rs` looks for larger errors.
+//! coordinates in file `angles`; `engine/tests/proofs/rounding_of_sines.rs` looks for larger errors.
 //!
 //! What the quotient P/Q of polynomials differs from the function A/B by comes to this, with |A − P| ≤ a·e, e = yⁱ(1 − y)ʲ, |B − Q| ≤
 //! b, |Q| ≥ q and |P/Q| ≤ Λ·e: at most τ·e, τ = (a + Λb)/(q − b), as P/Q − A/B = ((P − A) + (B − Q)·P/Q)/B. The numbers a and b are
@@ -27,6 +30,7 @@ use super::cell::Cell;
 use super::exact::Exact;
 use super::majorant::{Known, Majorants, between, nearest};
 use super::{Bound, Error, Inputs, Part, least_multiple, rest, rounded_up, with_share};
+use crate::algebra::number::binomial;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
@@ -139,7 +143,26 @@ fn on_span(
     };
     if !is_factored {
         // Powers of the coordinates are factors of the function, but not of what is computed.
-        return Some(Errors { relative: None, absolute: &sum.error + &missing(&sum.most)? });
+        let absolute = &sum.error + &missing(&sum.most)?;
+        let [i, j] = truncation.ends.map(|power| power as usize);
+        let inside = i..own.bernstein.len().saturating_sub(j);
+        let is_there = |k: usize| own.bernstein[k].is_zero() != inside.contains(&k);
+        let relative = if (0..own.bernstein.len()).all(is_there) {
+            all.get(inside).and_then(|inside| Sum::relative_to_each(inside, all.len(), &coordinates))
+        } else {
+            None
+        };
+        // cⱼBⱼ is e times a term of the Bernstein form of lower degree with this coefficient, and e at most the sum of all Bⱼ there.
+        let (n, [i, j]) = (form.numerators.degree, truncation.ends);
+        let mut grown = Rational::ONE;
+        for k in 0..=n.saturating_sub(i + j) {
+            let factor = binomial(n, k + i).checked_div(&binomial(n.saturating_sub(i + j), k))?;
+            grown = grown.max(factor);
+        }
+        let relative = relative.and_then(|(relative, least)| {
+            Some(&relative + &missing(&(&sum.most * &grown))?.checked_div(&least)?)
+        });
+        return Some(Errors { relative, absolute });
     }
     // The powers, with that of each coordinate, and at most six products: of the number, the reciprocal, the sum and the powers.
     let Factored { x_power, s_power, .. } = own.factored;
@@ -201,6 +224,26 @@ impl Sum {
         let of_place = if n < 2 { Rational::ZERO } else { &(&in_all * &half) * &spread };
         let error = &(&(&roundings * &largest) + &error) + &of_place;
         Some(Self { most, least: least.abs(), error })
+    }
+
+    /// The relative error in u where the coefficients that are not 0 have one sign and are off by a multiple of themselves, and the
+    /// smallest of them, of as many coefficients in all.
+    fn relative_to_each(
+        coefficients: &[Known],
+        all: usize,
+        off: &[Rational; 2],
+    ) -> Option<(Rational, Rational)> {
+        let n = Rational::from(i64::try_from(all.saturating_sub(1)).ok()?);
+        let worse = off[0].clone().max(off[1].clone());
+        let signs = coefficients.mapped(|known| known.least.clone());
+        let least = nearest(&signs).abs();
+        let mut of_coefficients = Rational::ZERO;
+        for known in coefficients {
+            of_coefficients = of_coefficients.max(known.error.checked_div(&known.least.abs())?);
+        }
+        let roundings = &(&n * &Rational::from(4)) + &Rational::from(6);
+        let relative = &(&roundings + &of_coefficients) + &(&n * &worse);
+        (!least.is_zero()).then_some((relative, least))
     }
 
     fn relative(&self) -> Option<Rational> {
