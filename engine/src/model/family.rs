@@ -64,8 +64,8 @@ pub struct Family {
     /// Which functions were proved to be nonnegative; empty before claims are decided. Generated code cuts them off at 0
     /// where rounding could make them negative.
     pub nonnegative: Vec<bool>,
-    /// Of polynomials that are evaluated in place of functions in which a variable stands beside its sine: how far they are from
-    /// these, for each function for which it is known; `None` for all other families.
+    /// Of polynomials that are evaluated in place of functions in which a variable stands beside its sine: how far they
+    /// are from these, for each function for which it is known; `None` for all other families.
     pub truncations: Option<Vec<Option<Truncation>>>,
     /// What holds on the declared ranges, so that the formulas mean something.
     pub obligations: Vec<Obligation>,
@@ -73,8 +73,8 @@ pub struct Family {
     pub budget: u32,
 }
 
-/// How far a quotient P/Q that is evaluated in place of a function A/B may be from it: |A − P| ≤ `above`·`ends` and |B − Q| ≤
-/// `below` on the ranges of the variables, where `ends` = yⁱ(1 − y)ʲ divides P.
+/// How far a quotient P/Q that is evaluated in place of a function A/B may be from it: |A − P| ≤ `above`·`ends` and |B
+/// − Q| ≤ `below` on the ranges of the variables, where `ends` = yⁱ(1 − y)ʲ divides P.
 #[derive(Clone, Debug)]
 pub struct Truncation {
     /// Of the numerator.

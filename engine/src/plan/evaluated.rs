@@ -9,8 +9,8 @@ use crate::plan::interval::form::RationalForm;
 use crate::plan::series;
 use basis_prover::collections::list::Listed;
 
-/// The family as it is evaluated: in polynomials where the domain variable stands beside its sine, in the tangents of its
-/// shape parameters elsewhere; `None` where no such form is known.
+/// The family as it is evaluated: in polynomials where the domain variable stands beside its sine, in the tangents of
+/// its shape parameters elsewhere; `None` where no such form is known.
 pub(crate) fn form(family: &Family) -> Option<Cow<'_, Family>> {
     if is_mixed(family) {
         return series::in_polynomials(family).map(Cow::Owned);
@@ -19,8 +19,8 @@ pub(crate) fn form(family: &Family) -> Option<Cow<'_, Family>> {
     Some(if family.analytic.roots.is_empty() { evaluated } else { Cow::Owned(vanishing(&evaluated)) })
 }
 
-/// The family with numerators that vanish as polynomials at the ends of the domain wherever the functions do, although these ends
-/// are made of tan(π/n).
+/// The family with numerators that vanish as polynomials at the ends of the domain wherever the functions do, although
+/// these ends are made of tan(π/n).
 fn vanishing(family: &Family) -> Family {
     let mut result = family.clone();
     for f in &mut result.functions {

@@ -5,14 +5,14 @@
 //! of them, which is largest where every Pᵢ is 1 or −1. It is bounded for each choice of signs, one of two opposite
 //! ones, if these are few, and else by the sums of the absolute values of the coefficients of each share.
 //!
-//! Of a quotient C = N/W of two sums the steps that both need, such as powers of a coordinate, have one share: with the shares
-//! n and w of a step in N and W it is (n·W − N·w)/W². The quotient of what floats have, ΔN = Σ δₖnₖ + ρ and ΔW = Σ δₖwₖ + σ
-//! being the errors, is (N + ΔN)/(W + ΔW), and so is off by
+//! Of a quotient C = N/W of two sums the steps that both need, such as powers of a coordinate, have one share: with the
+//! shares n and w of a step in N and W it is (n·W − N·w)/W². The quotient of what floats have, ΔN = Σ δₖnₖ + ρ and ΔW =
+//! Σ δₖwₖ + σ being the errors, is (N + ΔN)/(W + ΔW), and so is off by
 //!
 //! (ΔN − C·ΔW)/(W + ΔW) = (Σ δₖ(nₖ − C·wₖ) + ρ − C·σ)/W / (1 + η), η = ΔW/W.
 //!
-//! With the first sum at most L u, |ρ/W| ≤ r u, |σ/W| ≤ q u, |C| ≤ Λ and |η| ≤ h u ≤ 1/8, that is at most (L + r + Λq)(1 + 2h u) u;
-//! the rounding of the quotient itself is a share like any other, and enlarges this by a factor 1 + u.
+//! With the first sum at most L u, |ρ/W| ≤ r u, |σ/W| ≤ q u, |C| ≤ Λ and |η| ≤ h u ≤ 1/8, that is at most (L + r +
+//! Λq)(1 + 2h u) u; the rounding of the quotient itself is a share like any other, and enlarges this by a factor 1 + u.
 
 use std::rc::Rc;
 
@@ -47,8 +47,8 @@ pub(super) struct Absolute {
 pub(super) const MOST_SIGNED: usize = 7;
 
 impl Absolute {
-    /// Of a step that is linear in some points, if there are any, with all choices of their signs up to so many of them;
-    /// `None` when the work is spent.
+    /// Of a step that is linear in some points, if there are any, with all choices of their signs up to so many of
+    /// them; `None` when the work is spent.
     pub(super) fn new(
         exact: &mut Exact<'_>,
         output: usize,
@@ -231,7 +231,8 @@ fn higher(
     Some(&rests + &(&(first + &rests) * &factor))
 }
 
-/// A number m for which the absolute values of the products, of which a step is the sum, add up to at most m times a divisor.
+/// A number m for which the absolute values of the products, of which a step is the sum, add up to at most m times a
+/// divisor.
 fn relative_size(
     exact: &mut Exact<'_>,
     of: usize,

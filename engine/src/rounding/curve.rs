@@ -1,8 +1,8 @@
-//! Bounds of the errors of points of curves over quotients, over functions on several spans, and over those with angles or
-//! exponentials.
+//! Bounds of the errors of points of curves over quotients, over functions on several spans, and over those with angles
+//! or exponentials.
 //!
-//! Emitted code and the runtime compute such a point in two orders, and the runtime has the points at the ends of a span from
-//! the values of the functions there. A bound is one of all of these, on all spans.
+//! Emitted code and the runtime compute such a point in two orders, and the runtime has the points at the ends of a
+//! span from the values of the functions there. A bound is one of all of these, on all spans.
 
 use super::angles::OnCoordinates;
 use super::series::is_series;

@@ -1,9 +1,10 @@
 //! How far numbers are off that are computed from shape values only, by sums of absolute values.
 //!
-//! A step is a sum of products, each of which carries some factors 1 + δ. With A the sum of the absolute values of the products, and E
-//! that of each times the number of its factors, a step is at most A, and is off by at most E u to first order: of a sum A is A₁ + A₂
-//! and E is E₁ + E₂ + A, of a product A is A₁A₂ and E is A₁E₂ + E₁A₂ + A. In all it is off by at most (1 + 2 d u) E u where no product
-//! has more than d factors, d u ≤ 1/8. Both are polynomials over a common denominator, that of the reciprocals on the way.
+//! A step is a sum of products, each of which carries some factors 1 + δ. With A the sum of the absolute values of the
+//! products, and E that of each times the number of its factors, a step is at most A, and is off by at most E u to
+//! first order: of a sum A is A₁ + A₂ and E is E₁ + E₂ + A, of a product A is A₁A₂ and E is A₁E₂ + E₁A₂ + A. In all it
+//! is off by at most (1 + 2 d u) E u where no product has more than d factors, d u ≤ 1/8. Both are polynomials over a
+//! common denominator, that of the reciprocals on the way.
 
 use super::cell::Cell;
 use super::conditions::Conditions;
@@ -137,8 +138,8 @@ pub(super) struct Known {
 }
 
 impl Known {
-    /// Of a step times a factor, a quotient that is not 0: its exact value is that of the step times the factor, and so is what it
-    /// is off by.
+    /// Of a step times a factor, a quotient that is not 0: its exact value is that of the step times the factor, and so
+    /// is what it is off by.
     pub(super) fn of(
         exact: &mut Exact<'_>,
         k: usize,
@@ -188,7 +189,8 @@ pub(super) fn nearest(numbers: &[Rational]) -> Rational {
     if numbers.iter().all(|x| x.signum() == first.signum()) { first.clone() } else { Rational::ZERO }
 }
 
-/// The largest absolute value of a quotient on a cell, at most, and the number nearest to 0, with its sign; 0 where that changes.
+/// The largest absolute value of a quotient on a cell, at most, and the number nearest to 0, with its sign; 0 where
+/// that changes.
 pub(super) fn between(
     [numer, denom]: &[Poly; 2],
     conditions: &mut Conditions<'_>,

@@ -20,8 +20,8 @@
 //! nothing overflows; each product that underflows is off by half the smallest float, which a division after it may
 //! enlarge.
 //!
-//! Where a variable stands beside its sine, polynomials are evaluated in place of the functions; file `series`. Points of curves over
-//! quotients, in all orders in which they are computed: file `curve`.
+//! Where a variable stands beside its sine, polynomials are evaluated in place of the functions; file `series`. Points
+//! of curves over quotients, in all orders in which they are computed: file `curve`.
 //!
 //! Sines, exponentials and the like are assumed to be within one unit in the last place; what comes out of them are inputs
 //! that are off; file `angles`. Where a float is that of an end such as π/2, the value is the one at the end.
@@ -168,8 +168,8 @@ impl Bound {
 /// Bounds of the errors of the values of all functions; `None` for one without. On several spans a function has one bound
 /// for all of them.
 ///
-/// `None` in place of a list when the work is spent, the family is too large to be generated, or has an end that is computed
-/// otherwise than as a sum of multiples of shape parameters.
+/// `None` in place of a list when the work is spent, the family is too large to be generated, or has an end that is
+/// computed otherwise than as a sum of multiples of shape parameters.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
     let family = &*evaluated::form(family)?;
     if series::is_series(family) {
@@ -252,8 +252,9 @@ pub fn point(family: &Family) -> Option<Bound> {
     Some(rounded_up(parts?, Error::Absolute, &Rational::ZERO))
 }
 
-/// Bounds of the error of steps that are linear in control points, with a share of the work: with the worst signs of the control
-/// points, if these are few and there is enough of it, else with those of each step by itself; on many cells or on few.
+/// Bounds of the error of steps that are linear in control points, with a share of the work: with the worst signs of
+/// the control points, if these are few and there is enough of it, else with those of each step by itself; on many
+/// cells or on few.
 fn of_points(
     steps: &Steps,
     inputs: &Inputs,

@@ -1,29 +1,30 @@
-//! Bounds for functions in which the domain variable stands beside its sine or exponential, which are evaluated as polynomials
-//! whose coefficients are power series in a shape value.
+//! Bounds for functions in which the domain variable stands beside its sine or exponential, which are evaluated as
+//! polynomials whose coefficients are power series in a shape value.
 //!
-//! A value is Σ cⱼ Bⱼ in Bernstein form, or xⁱsʲ S Σ gⱼ Bⱼ with a factor S such as the reciprocal of a denominator, cⱼ = gⱼS; both
-//! are functions of shape values only. For these there are statements in shape values alone: μ ≤ |cⱼ| ≤ Λ, and the error of the
-//! coefficients is at most E u, that of S at most ϱ u times S; file `majorant`.
+//! A value is Σ cⱼ Bⱼ in Bernstein form, or xⁱsʲ S Σ gⱼ Bⱼ with a factor S such as the reciprocal of a denominator, cⱼ
+//! = gⱼS; both are functions of shape values only. For these there are statements in shape values alone: μ ≤ |cⱼ| ≤ Λ,
+//! and the error of the coefficients is at most E u, that of S at most ϱ u times S; file `majorant`.
 //!
-//! The sum is computed in the smaller coordinate y ≤ 1/2 by T := T − T y + tⱼ, tⱼ = cⱼ binomial(n, j) yʲ, where what the addition loses
-//! is kept in a second number, so that only the other roundings count. A local error goes on with the factor (1 − y)ⁿ⁻ʲ, with
-//! which |tⱼ| becomes |cⱼ|Bⱼ and |T y| at most y/(1 − y)·Λ Σ_{i < j} Bᵢ; the sums of these over j are at most Λ and n y Λ, and that of
-//! j|tⱼ| is at most n y Λ. There are j + 1 roundings in tⱼ, one in T y, one in the difference, one where the lost part is found, each
-//! at most the difference, and one at the end. To first order that is
+//! The sum is computed in the smaller coordinate y ≤ 1/2 by T := T − T y + tⱼ, tⱼ = cⱼ binomial(n, j) yʲ, where what
+//! the addition loses is kept in a second number, so that only the other roundings count. A local error goes on with
+//! the factor (1 − y)ⁿ⁻ʲ, with which |tⱼ| becomes |cⱼ|Bⱼ and |T y| at most y/(1 − y)·Λ Σ_{i < j} Bᵢ; the sums of these
+//! over j are at most Λ and n y Λ, and that of j|tⱼ| is at most n y Λ. There are j + 1 roundings in tⱼ, one in T y, one
+//! in the difference, one where the lost part is found, each at most the difference, and one at the end. To first order
+//! that is
 //!
 //! (n y + 1) + n y + 2(1 + n y) + 1 = 4 n y + 4.
 //!
-//! Where all cⱼ that are not 0 have one sign, the sums are at most n times the value, which makes 4 n + 4 and n w of these, relative to
-//! it, and coefficients that are off relatively count so.
+//! Where all cⱼ that are not 0 have one sign, the sums are at most n times the value, which makes 4 n + 4 and n w of
+//! these, relative to it, and coefficients that are off relatively count so.
 //!
-//! What is of higher order is a multiple of n²u with a factor below 50, and n w u of a coordinate that is off by w u, of which
-//! the first order is n w y max|cᵢ − cⱼ|: both are less than 1 for n ≤ 64 and n w ≤ 512. That is counted by hand, as are the
-//! coordinates in file `angles`; `engine/tests/proofs/rounding_of_sines.rs` looks for larger errors.
+//! What is of higher order is a multiple of n²u with a factor below 50, and n w u of a coordinate that is off by w u,
+//! of which the first order is n w y max|cᵢ − cⱼ|: both are less than 1 for n ≤ 64 and n w ≤ 512. That is counted by
+//! hand, as are the coordinates in file `angles`; `engine/tests/proofs/rounding_of_sines.rs` looks for larger errors.
 //!
-//! What the quotient P/Q of polynomials differs from the function A/B by comes to this, with |A − P| ≤ a·e, e = yⁱ(1 − y)ʲ, |B − Q| ≤
-//! b, |Q| ≥ q and |P/Q| ≤ Λ·e: at most τ·e, τ = (a + Λb)/(q − b), as P/Q − A/B = ((P − A) + (B − Q)·P/Q)/B. The numbers a and b are
-//! found by arithmetic outside of the kernel ([`Truncation`]). They count for floats of 64 bits, u = 2⁻⁵³; for shorter ones
-//! they are fewer u.
+//! What the quotient P/Q of polynomials differs from the function A/B by comes to this, with |A − P| ≤ a·e, e = yⁱ(1 −
+//! y)ʲ, |B − Q| ≤ b, |Q| ≥ q and |P/Q| ≤ Λ·e: at most τ·e, τ = (a + Λb)/(q − b), as P/Q − A/B = ((P − A) + (B −
+//! Q)·P/Q)/B. The numbers a and b are found by arithmetic outside of the kernel ([`Truncation`]). They count for floats
+//! of 64 bits, u = 2⁻⁵³; for shorter ones they are fewer u.
 
 use super::angles::{inputs, off};
 use super::cell::Cell;
@@ -152,7 +153,8 @@ fn on_span(
         } else {
             None
         };
-        // cⱼBⱼ is e times a term of the Bernstein form of lower degree with this coefficient, and e at most the sum of all Bⱼ there.
+        // cⱼBⱼ is e times a term of the Bernstein form of lower degree with this coefficient, and e at most the sum of
+        // all Bⱼ there.
         let (n, [i, j]) = (form.numerators.degree, truncation.ends);
         let mut grown = Rational::ONE;
         for k in 0..=n.saturating_sub(i + j) {
@@ -164,7 +166,8 @@ fn on_span(
         });
         return Some(Errors { relative, absolute });
     }
-    // The powers, with that of each coordinate, and at most six products: of the number, the reciprocal, the sum and the powers.
+    // The powers, with that of each coordinate, and at most six products: of the number, the reciprocal, the sum and
+    // the powers.
     let Factored { x_power, s_power, .. } = own.factored;
     let mut others = &of_factors + &Rational::from(8);
     for (power, off) in [s_power, x_power].into_iter().zip(&coordinates) {
@@ -181,7 +184,8 @@ fn on_span(
     Some(Errors { relative, absolute })
 }
 
-/// So many u with what is of higher order: a product of factors that are off by S u in all is off by at most (1 + 3 S u) S u.
+/// So many u with what is of higher order: a product of factors that are off by S u in all is off by at most (1 + 3 S
+/// u) S u.
 fn with_higher(sum: &Rational) -> Option<Rational> {
     Some(sum + &rest::of_product(sum)?)
 }
@@ -226,8 +230,8 @@ impl Sum {
         Some(Self { most, least: least.abs(), error })
     }
 
-    /// The relative error in u where the coefficients that are not 0 have one sign and are off by a multiple of themselves, and the
-    /// smallest of them, of as many coefficients in all.
+    /// The relative error in u where the coefficients that are not 0 have one sign and are off by a multiple of
+    /// themselves, and the smallest of them, of as many coefficients in all.
     fn relative_to_each(
         coefficients: &[Known],
         all: usize,

@@ -13,8 +13,8 @@ use basis_prover::collections::list::Listed;
 pub(crate) enum Association {
     /// The steps: binomial coefficients are factors of powers, and a denominator that is 1 is left out.
     Steps,
-    /// `RationalCurve` of the runtime: binomial coefficients are factors of the bound coefficients, and there is always a
-    /// denominator.
+    /// `RationalCurve` of the runtime: binomial coefficients are factors of the bound coefficients, and there is always
+    /// a denominator.
     Runtime,
 }
 
@@ -55,8 +55,8 @@ pub(crate) fn of_curve(family: &Family, form: &RationalForm, association: Associ
     builder.finish(&[point])
 }
 
-/// The point at the lower or at the upper end of a span as the runtime has it: the values of the functions there, times the
-/// control points.
+/// The point at the lower or at the upper end of a span as the runtime has it: the values of the functions there, times
+/// the control points.
 pub(crate) fn at_end(family: &Family, form: &RationalForm, is_upper: bool) -> Steps {
     let mut builder = Builder::without_scales();
     let points = points(&mut builder, form);

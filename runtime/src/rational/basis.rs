@@ -50,9 +50,9 @@ pub trait RationalBasis: Copy + PartialEq + Debug {
     /// known.
     const ROUNDING: &'static [Rounding] = &[];
 
-    /// How far each component of a point that [`RationalCurve::eval`](crate::RationalCurve::eval) computes, binding included, can be from the exact
-    /// one: this many ε times the largest absolute value of that component of a control point, as long as nothing overflows or
-    /// underflows; `None` where no bound is known.
+    /// How far each component of a point that [`RationalCurve::eval`](crate::RationalCurve::eval) computes, binding
+    /// included, can be from the exact one: this many ε times the largest absolute value of that component of a control
+    /// point, as long as nothing overflows or underflows; `None` where no bound is known.
     const ROUNDING_POINT: Option<f64> = None;
 
     /// The map from the domain to `0 <= x <= 1`.

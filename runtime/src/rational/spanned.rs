@@ -42,9 +42,9 @@ pub trait SpannedBasis: Copy + PartialEq + Debug {
     /// underflows. `basis!` proves these bounds with the feature `rounding`; empty where it finds none.
     const ROUNDING: &'static [Rounding] = &[];
 
-    /// How far each component of a point that [`SpannedCurve::eval`](crate::SpannedCurve::eval) computes, binding included, can be from the exact
-    /// one: this many ε times the largest absolute value of that component of a control point, as long as nothing overflows or
-    /// underflows; `None` where no bound is known.
+    /// How far each component of a point that [`SpannedCurve::eval`](crate::SpannedCurve::eval) computes, binding
+    /// included, can be from the exact one: this many ε times the largest absolute value of that component of a control
+    /// point, as long as nothing overflows or underflows; `None` where no bound is known.
     const ROUNDING_POINT: Option<f64> = None;
 
     /// The maps from the spans to `0 <= x <= 1`, in the order of the spans; each ends where the next one begins.

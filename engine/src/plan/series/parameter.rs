@@ -9,9 +9,8 @@
 //! keeps its digits where α is small, and each pₙ vanishes at an end of the domain where the function does, to the same
 //! order. A series is cut off where its terms have fallen below 2⁻⁵⁸ of the first one for the largest α, and are
 //! falling further. Then its highest terms are replaced by lower ones, in α and in y, as long as Chebyshev polynomials
-//! show that this changes no more than that.
-//! How much all this changes at most is added up, for bounds of rounding errors ([`Truncation`]), with what is missing beyond the
-//! last term ([`truncation`](super::truncation)).
+//! show that this changes no more than that. How much all this changes at most is added up, for bounds of rounding
+//! errors ([`Truncation`]), with what is missing beyond the last term ([`truncation`](super::truncation)).
 
 use std::rc::Rc;
 
@@ -39,8 +38,8 @@ const TAIL: usize = 4;
 /// The work for writing one function in tangents of t and α.
 const WORK: u64 = 20_000_000;
 
-/// The family on a span whose functions are polynomials as near as floats can tell; `None` where the domain does not end at
-/// multiples of one shape parameter with a bounded range, or a sine of t stands below a fraction line.
+/// The family on a span whose functions are polynomials as near as floats can tell; `None` where the domain does not
+/// end at multiples of one shape parameter with a bounded range, or a sine of t stands below a fraction line.
 pub(super) fn in_polynomials(family: &Family) -> Option<Family> {
     let source = Source::new(family)?;
     let quotients = family.functions.iter().map(|f| source.quotient(&f.value)).collect::<Option<Vec<_>>>()?;
@@ -53,8 +52,8 @@ const SEARCH: u64 = 5_000_000;
 /// The ends of a range that [`longest`] tries.
 const ENDS: [i64; 7] = [16, 12, 8, 6, 4, 2, 1];
 
-/// The name of the shape parameter whose range is too long for such polynomials, or has no end, and the range with the largest of
-/// some numbers as its end that is not; `None` where the range is not what they fail for.
+/// The name of the shape parameter whose range is too long for such polynomials, or has no end, and the range with the
+/// largest of some numbers as its end that is not; `None` where the range is not what they fail for.
 pub(super) fn longest(family: &Family) -> Option<(String, String)> {
     let mut units = 0;
     ENDS.into_iter().find_map(|last| {
@@ -389,7 +388,8 @@ impl<'f> Source<'f> {
         first.map_or(Rational::ZERO, |p| negligible(&self.size(p)))
     }
 
-    /// Replaces the last terms of a series by terms with lower powers of α, as long as no more than `left` is missing then.
+    /// Replaces the last terms of a series by terms with lower powers of α, as long as no more than `left` is missing
+    /// then.
     fn shorten(&self, series: &mut Series, mut left: Rational, lost: &mut Rational) {
         let missing = left.clone();
         let stride = (0..series.len()).filter(|n| !series[*n].is_zero()).fold(0, gcd);
@@ -451,7 +451,8 @@ impl<'f> Source<'f> {
             table.iter().map(|own| own.iter().rev().fold(Poly::zero(), |sum, c| &(&sum * &y) + c)).listed();
     }
 
-    /// Makes the coefficients multiples of powers of 2, far below what may be missing, so that their numbers stay short.
+    /// Makes the coefficients multiples of powers of 2, far below what may be missing, so that their numbers stay
+    /// short.
     fn round(&self, series: &mut [Poly], missing: &Rational, lost: &mut Rational) {
         let two = Rational::from(2);
         let mut room = missing * &Rational::new(1, 1 << 12);

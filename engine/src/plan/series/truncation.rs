@@ -1,8 +1,8 @@
 //! How much is missing of power series in a shape value α that are cut off.
 //!
-//! A product of k sines and cosines of v·t has a power series in t with coefficients whose absolute values are at most those of
-//! exp(k v t), sines and cosines of α likewise. So the terms of c·tʲαᵠ times such products whose powers in all are above N are at
-//! most, with κ = k v|t/α| + m w,
+//! A product of k sines and cosines of v·t has a power series in t with coefficients whose absolute values are at most
+//! those of exp(k v t), sines and cosines of α likewise. So the terms of c·tʲαᵠ times such products whose powers in all
+//! are above N are at most, with κ = k v|t/α| + m w,
 //!
 //! |c| |t/α|ʲ αʲ⁺ᵠ (κα)ⁿ/n! / (1 − κα/(n + 1)), n = N + 1 − j − q.
 
@@ -42,8 +42,8 @@ impl Source<'_> {
         Some(true)
     }
 
-    /// A number d for which dropped terms, from that power of α on, are at most d·yⁱ(1 − y)ʲ; `None` where they do not vanish
-    /// so at the ends, or variables have no bounds.
+    /// A number d for which dropped terms, from that power of α on, are at most d·yⁱ(1 − y)ʲ; `None` where they do not
+    /// vanish so at the ends, or variables have no bounds.
     pub(super) fn dropped(&self, terms: &[Poly], powers: [u32; 2], from: usize) -> Option<Rational> {
         let ends = self.ends(powers);
         let mut power = self.largest.pow(from as u32);
@@ -58,8 +58,8 @@ impl Source<'_> {
         Some(sum)
     }
 
-    /// A number d for which the terms above a total degree are at most d·yⁱ(1 − y)ʲ, if the whole vanishes so at the ends: by some
-    /// more terms, and what is left.
+    /// A number d for which the terms above a total degree are at most d·yⁱ(1 − y)ʲ, if the whole vanishes so at the
+    /// ends: by some more terms, and what is left.
     pub(super) fn beyond(
         &self,
         p: &Poly,
@@ -82,10 +82,11 @@ impl Source<'_> {
         Some(&dropped + &self.rest(p, powers, further, ends)?)
     }
 
-    /// A number d for which the terms above a total degree are at most d·yⁱ(1 − y)ʲ, if the whole vanishes so at the ends.
+    /// A number d for which the terms above a total degree are at most d·yⁱ(1 − y)ʲ, if the whole vanishes so at the
+    /// ends.
     ///
-    /// A function that vanishes at y = 0 of the order i is at most yⁱ/i! times the largest value of its i-th derivative, which
-    /// for αⁿ(t/α)ᵐ, m ≤ n, is at most nⁱ times as large, times a power of the slope of t/α.
+    /// A function that vanishes at y = 0 of the order i is at most yⁱ/i! times the largest value of its i-th
+    /// derivative, which for αⁿ(t/α)ᵐ, m ≤ n, is at most nⁱ times as large, times a power of the slope of t/α.
     pub(super) fn rest(&self, p: &Poly, powers: [u32; 2], last: usize, [i, j]: [u32; 2]) -> Option<Rational> {
         if !self.is_bounded(p) {
             return None;
