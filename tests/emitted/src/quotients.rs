@@ -218,6 +218,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Swing<S> {
 ///
 /// Rounding errors of the values, proved to be at most: `b[0]`: 11.26 ε of the value; `b[1]`: 11.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
 ///
+/// Rounding error of each component of a point of a curve, binding included, proved to be at most: 5.26 ε times the largest absolute value of that component of a control point.
+///
 /// # Claims
 ///
 /// Decided exactly, when this file was written.
@@ -314,6 +316,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Fall<S> {
     const NAME: &'static str = "Fall";
     const ROUNDING: &'static [basis_runtime::Rounding] =
         &[basis_runtime::Rounding::Relative(11.26), basis_runtime::Rounding::Relative(11.01)];
+    const ROUNDING_POINT: Option<f64> = Some(5.26);
     #[inline]
     fn chart(&self) -> basis_runtime::Chart<S> {
         let _tangent0 = v1::tanh(S::of(0.5) * self.rho);
@@ -604,6 +607,8 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Peak<S> {
 ///
 /// Rounding errors of the values, proved to be at most: `f[0]`: 2.51 ε of the value; `f[1]`: 2.63 ε.
 ///
+/// Rounding error of each component of a point of a curve, binding included, proved to be at most: 14.55 ε times the largest absolute value of that component of a control point.
+///
 /// # Claims
 ///
 /// Decided exactly, when this file was written.
@@ -681,6 +686,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::SpannedBasis for Hump<S> {
     const NAME: &'static str = "Hump";
     const ROUNDING: &'static [basis_runtime::Rounding] =
         &[basis_runtime::Rounding::Relative(2.51), basis_runtime::Rounding::Absolute(2.63)];
+    const ROUNDING_POINT: Option<f64> = Some(14.55);
     #[inline]
     fn charts(&self) -> [basis_runtime::Chart<S>; 2] {
         [{ basis_runtime::Chart::affine([S::of(0.0), S::of(1.0)]) }, {
