@@ -133,8 +133,6 @@ pub(super) struct Known {
     pub(super) least: Rational,
     /// How many u it is off, at most.
     pub(super) error: Rational,
-    /// The same relative to itself, if there is such a bound.
-    pub(super) relative: Option<Rational>,
 }
 
 impl Known {
@@ -148,7 +146,6 @@ impl Known {
         work: &mut Work,
     ) -> Option<Self> {
         let (mut most, mut error, mut all) = (Rational::ZERO, Rational::ZERO, Vec::new());
-        let mut relative = Some(Rational::ZERO);
         for cell in cells {
             let majorant = cell.of(exact, k, work)?;
             let conditions = &mut cell.conditions;
@@ -158,14 +155,10 @@ impl Known {
             error = error.max(off);
             let value = [&majorant.value * &factor[0], &majorant.below * &factor[1]];
             let (largest, nearest) = between(&value, conditions, work)?;
-            relative = relative.filter(|_| !nearest.is_zero()).and_then(|known| {
-                let own = conditions.absolute(&majorant.value, work)?;
-                Some(conditions.most(&majorant.error, &own, work)?.max(known))
-            });
             most = most.max(largest);
             all.push(nearest);
         }
-        Some(Self { most, least: nearest(&all), error, relative })
+        Some(Self { most, least: nearest(&all), error })
     }
 
     /// Of a step that is not 0, relative to itself, with the step as a quotient.

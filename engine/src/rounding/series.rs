@@ -243,7 +243,7 @@ impl Sum {
         let least = nearest(&signs).abs();
         let mut of_coefficients = Rational::ZERO;
         for known in coefficients {
-            of_coefficients = of_coefficients.max(known.relative.clone()?);
+            of_coefficients = of_coefficients.max(known.error.checked_div(&known.least.abs())?);
         }
         let roundings = &(&n * &Rational::from(4)) + &Rational::from(6);
         let relative = &(&roundings + &of_coefficients) + &(&n * &worse);
