@@ -101,9 +101,17 @@ fn of_span(facts: &FamilyFacts) -> String {
     }
     for f in &facts.extrema {
         let (least, greatest) = (places::taken(&f.minimum, &inline), places::taken(&f.maximum, &inline));
+        // `f[1] at a = 0, b = 0`
+        let (name, at) = f.name.split_once(" at ").map_or((&*f.name, None), |(name, at)| (name, Some(at)));
+        let at = at.map(|at| format!(" at {}", inline(at))).unwrap_or_default();
+        if places::is_constant(f) {
+            text +=
+                &format!("The function {}{at} is constant, {}.\n\n", inline(name), inline(&f.minimum.value));
+            continue;
+        }
         text += &format!(
-            "The function {} has {}, the least value {least} and the greatest value {greatest}.",
-            inline(&f.name),
+            "The function {}{at} has {}, the least value {least} and the greatest value {greatest}.",
+            inline(name),
             places::zeros(f, &inline).replacen("zero ", "zeros ", 1),
         );
         for note in places::notes(f) {
@@ -302,12 +310,30 @@ fn claims(claims: &[ClaimFacts]) -> String {
 
 /// A sentence as a part of another one.
 fn within(sentence: &str) -> String {
-    sentence.strip_prefix("The ").map_or_else(|| sentence.to_string(), |rest| format!("the {rest}"))
+    let lower = |word: &str| Some(format!("{}{}", word.to_lowercase(), sentence.strip_prefix(word)?));
+    lower("The ")
+        .or_else(|| lower("At "))
+        .or_else(|| lower("Neighbouring "))
+        .unwrap_or_else(|| sentence.to_string())
+}
+
+/// What a scalar should be declared as is no part of a proof.
+fn without_hints(text: &str) -> String {
+    let mut parts = text.split("; `");
+    let mut kept = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        let is_hint = part.ends_with("` can be any number") || part.ends_with(";` declares it positive");
+        if !is_hint {
+            kept += &format!("; `{part}");
+        }
+    }
+    kept
 }
 
 /// A reason; formulas stand in it between the marks of code, or around equations.
 fn reason(text: &str) -> String {
     let mut latex = String::new();
+    let text = without_hints(text);
     for (k, part) in text.split('`').enumerate() {
         if k % 2 == 1 && math(part).is_some() {
             latex += &inline(part);
@@ -324,7 +350,7 @@ fn reason(text: &str) -> String {
         };
         for word in part.split(' ') {
             words.push(word);
-            let plain = word.trim_end_matches(')');
+            let plain = word.trim_end_matches([')', ';']);
             let prose = plain.len() > 1 && plain.chars().all(|c| c.is_ascii_lowercase() || c == ',');
             if prose || word.is_empty() {
                 flush(&mut pending, &mut latex);
@@ -347,7 +373,7 @@ fn reason(text: &str) -> String {
         }
         flush(&mut pending, &mut latex);
     }
-    latex.trim_end().replace("  ", " ")
+    latex.trim().replace("  ", " ")
 }
 
 /// A formula before which a bracket opens, or after which one closes, that is about the words around it.
@@ -361,6 +387,10 @@ fn bracketed(text: &str) -> String {
         }
         if let Some(rest) = text.strip_suffix(')') {
             return format!("{})", bracketed(rest));
+        }
+        // A value after what has it.
+        if let Some(value) = text.strip_prefix("= ").and_then(math) {
+            return format!("$= {value}$");
         }
         // A sign alone stands between two phrases.
         if text == "-" {

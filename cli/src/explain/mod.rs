@@ -292,17 +292,7 @@ fn summary(text: &mut String, claims: &[ClaimFacts]) {
         })
         .collect();
     *text += &format!("\n  Claims: {}\n", counts.join(", "));
-    let mut groups: Vec<(&ClaimFacts, usize)> = Vec::new();
-    for claim in claims {
-        match groups.iter_mut().find(|(first, _)| {
-            (first.statement, first.verdict, &first.written)
-                == (claim.statement, claim.verdict, &claim.written)
-        }) {
-            Some((_, size)) => *size += 1,
-            None => groups.push((claim, 1)),
-        }
-    }
-    for (first, size) in groups {
+    for (first, size) in groups(claims) {
         let (shown, more) = if size == 1 {
             (&first.claim, String::new())
         } else {
@@ -314,6 +304,21 @@ fn summary(text: &mut String, claims: &[ClaimFacts]) {
             *text += &format!("              {}\n", first.reason);
         }
     }
+}
+
+/// The claims, of those of one statement with the same verdict the first one and how many there are.
+fn groups(claims: &[ClaimFacts]) -> Vec<(&ClaimFacts, usize)> {
+    let mut groups: Vec<(&ClaimFacts, usize)> = Vec::new();
+    for claim in claims {
+        match groups.iter_mut().find(|(first, _)| {
+            (first.statement, first.verdict, &first.written)
+                == (claim.statement, claim.verdict, &claim.written)
+        }) {
+            Some((_, size)) => *size += 1,
+            None => groups.push((claim, 1)),
+        }
+    }
+    groups
 }
 
 /// What names in the claims stand for.
@@ -353,8 +358,13 @@ fn theorem_text(facts: &TheoremFacts) -> String {
     }
     section(&mut text, "Determined control points", pairs(&facts.points));
     text += "\n  Claims\n";
-    for claim in &facts.claims {
-        text += &format!("    {}\n      {}: {}\n", claim.claim, claim.verdict, claim.reason);
+    for (first, size) in groups(&facts.claims) {
+        let (shown, more) = if size == 1 {
+            (&first.claim, String::new())
+        } else {
+            (&first.written, format!(" ({})", name::count(size, "claim")))
+        };
+        text += &format!("    {shown}{more}\n      {}: {}\n", first.verdict, first.reason);
     }
     names(&mut text, &facts.definitions);
     text

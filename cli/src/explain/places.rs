@@ -9,6 +9,10 @@ pub(super) fn section(text: &mut String, facts: &FamilyFacts) {
     }
     *text += "\n  Functions that are negative somewhere\n";
     for f in &facts.extrema {
+        if is_constant(f) {
+            *text += &format!("    {}: constant, {}\n", f.name, f.minimum.value);
+            continue;
+        }
         let (zeros, least, greatest) =
             (zeros(f, &plain), taken(&f.minimum, &plain), taken(&f.maximum, &plain));
         *text += &format!("    {}: {zeros}; least value {least}; greatest value {greatest}", f.name);
@@ -20,6 +24,11 @@ pub(super) fn section(text: &mut String, facts: &FamilyFacts) {
     for open in &facts.extrema_open {
         *text += &format!("    {}: zeros and extrema are not stated: {}\n", open.name, open.why);
     }
+}
+
+/// Whether a function has one value: the least one is the greatest.
+pub(super) fn is_constant(f: &ExtremaFacts) -> bool {
+    !f.bounds && f.minimum.value == f.maximum.value && !f.minimum.value.starts_with("about")
 }
 
 fn plain(formula: &str) -> String {

@@ -64,7 +64,7 @@ fn on_a_rectangle() {
              on the line x = 2",
             "c[5]: zero on the lines x = 0 and y = 0; least value -1/3 at (x, y) = (-1, 1); greatest value 1/4*sqrt(2) at (x, y) = \
              (sqrt(2), 1)",
-            "c[6]: no zeros; least value -2 everywhere; greatest value -2 everywhere",
+            "c[6]: constant, -2",
             // Stationary points of a high degree.
             "c[7]: zero on the curve 3*y + 3*x^5 = x*y + 6*x^2*y^3; least value between -1.666668 and -1.666666; greatest value \
              between 32.026189 and 32.026191; the values are bounds, the exact ones were not found",

@@ -13,6 +13,7 @@ mod eval_errors;
 mod eval_values;
 mod explain;
 mod explain_assumed;
+mod explain_claims;
 mod explain_formats;
 mod extrema;
 mod library;

@@ -285,9 +285,7 @@ impl Fraction {
         };
         // As one writes it: without a minus sign in front of what stands below.
         if self.denom.len() > 1 && self.denom.display(names).to_string().starts_with('-') {
-            let turned = Self { numer: -&self.numer, denom: -&self.denom };
-            let below = turned.denom.display(names).to_string();
-            return format!("{}/({below})", part(&turned.numer));
+            return Self { numer: -&self.numer, denom: -&self.denom }.display(names);
         }
         match self.as_poly() {
             Some(p) => p.display(names).to_string(),

@@ -314,7 +314,8 @@ impl<'t> Reader<'t> {
                         indices.push(name(patch));
                     }
                     // A second index, such as the coordinate of a point, stands beside the first one.
-                    let base = if piece.latex.ends_with('}') && piece.latex.contains("_{") {
+                    let has_index = piece.latex.ends_with('}') && piece.latex.contains("_{");
+                    let base = if has_index && piece.binds == Binds::Atom {
                         format!("{{{}}}", piece.latex)
                     } else {
                         piece.within(Binds::Atom)
@@ -376,8 +377,10 @@ impl<'t> Reader<'t> {
             ("cross", [a, b]) => format!("\\left({a}\\right) \\times \\left({b}\\right)"),
             ("sqrt", [x]) => format!("\\sqrt{{{x}}}"),
             ("integral", [x]) => format!("\\int {x}"),
-            ("integral", [x, var]) => format!("\\int {x} \\,d{var}"),
-            ("integral", [x, var, low, high]) => format!("\\int_{{{low}}}^{{{high}}} {x} \\,d{var}"),
+            ("integral", [x, var]) => format!("\\int {} \\,d{var}", integrand(x)),
+            ("integral", [x, var, low, high]) => {
+                format!("\\int_{{{low}}}^{{{high}}} {} \\,d{var}", integrand(x))
+            }
             ("D", [x, vars @ ..]) => derivative(x, vars),
             _ => format!("{}\\left({}\\right)", piece.latex, arguments.join(", ")),
         };
@@ -433,6 +436,12 @@ impl<'t> Reader<'t> {
         }
         Some(parts)
     }
+}
+
+/// What stands between the sign of an integral and its variable: a sum in brackets.
+fn integrand(latex: &str) -> String {
+    let is_sum = latex.contains(" + ") || latex.contains(" - ");
+    if is_sum { format!("\\left({latex}\\right)") } else { latex.to_owned() }
 }
 
 /// The parts of what is a single fraction with a number below the line.
