@@ -13,7 +13,7 @@ mod theorems;
 
 pub use contacts::{Contact, contacts};
 pub use definitions::definitions;
-pub use dependence::{describe_exception, exceptional_set};
+pub use dependence::{Dependence, dependence, describe_exception, exceptional_set};
 pub use extrema::{AllExtrema, Extrema, Extremum, Locus, LocusKind, extrema};
 pub use matrices::{Matrix, MatrixKind, conversions, matrices, matrices_left_out, matrices_of_whole_domain};
 pub use nonnegative::{NonnegativeRange, nonnegative_ranges};
@@ -153,6 +153,9 @@ fn over_one_denominator(family: &Family, weights: &[Fraction]) -> String {
         let common = gcd(&denom, w.denom());
         // The common divisor divides both.
         denom = &denom * &w.denom().div_exact(&common).unwrap_or_else(Poly::one);
+    }
+    if denom.display(&family.names).to_string().starts_with('-') {
+        denom = -&denom;
     }
     let numers: Vec<Poly> =
         weights.iter().map(|w| &denom.div_exact(w.denom()).unwrap_or_else(Poly::one) * w.numer()).collect();

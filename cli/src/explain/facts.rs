@@ -275,7 +275,7 @@ impl FamilyFacts {
         conversions: &[explain::Matrix],
         rounding: &[(String, String)],
     ) -> Self {
-        let set = explain::exceptional_set(family);
+        let dependence = explain::dependence(family);
         let all_extrema = explain::extrema(span);
         let is_first = family.pieces.first().is_none_or(|first| core::ptr::eq(&raw const **first, span));
         let contacts = if is_first { explain::contacts(family) } else { Vec::new() };
@@ -299,8 +299,8 @@ impl FamilyFacts {
             assumptions: domain::assumptions(family),
             functions: function_facts(span).into_iter().map(function).collect(),
             ends: explain::end_derivatives(span, ORDER).into_iter().map(equation).collect(),
-            dependent: set.exceptions.iter().map(|e| explain::describe_exception(family, e)).collect(),
-            dependent_open: set.open,
+            dependent: dependence.at,
+            dependent_open: dependence.open,
             rounding_assumes: rounding::assumed(family).filter(|_| !rounding.is_empty()),
             rounding: rounding
                 .iter()

@@ -43,11 +43,20 @@ fn dependence_on_a_chain() {
     }
     // With the ends of the chain they are dependent.
     let closed = "family K { domain 0 <= t <= 1; shape 0 <= x <= y <= 1; b[0] = 1 + x*t; b[1] = 1 + y*t; }";
-    let lines = dependence(closed);
-    assert!(
-        lines[0].starts_with("dependent at") && !lines.contains(&String::from("independent")),
-        "{lines:?}"
-    );
+    assert_eq!(dependence(closed), ["dependent at x = y: b[0] - b[1] = 0"]);
+}
+
+/// Infinitely many shape values by an equation, where that is known.
+#[test]
+fn dependence_along_lines_and_curves() {
+    let sum = "family F { domain 0 <= t <= 1; shape 0 <= a <= 1, 0 <= b <= 1; assume a + b <= 1;
+        f[0] = 1 - t - a*t; f[1] = t*(1 - b) - a*t; }";
+    assert_eq!(dependence(sum), ["dependent at a + b = 1: f[1] = 0"]);
+    let circle = "family F { domain 0 <= t <= 1; shape 0 <= a <= 1, 0 <= b <= 1; f[0] = 1; f[1] = t*(a^2 + b^2 - 1); }";
+    assert_eq!(dependence(circle), ["dependent at a^2 + b^2 = 1: f[1] = 0"]);
+    let several =
+        "family F { domain 0 <= t <= 1; shape 0 <= a <= 1, 0 <= b <= 1; f[0] = a; f[1] = t*(a - b); }";
+    assert_eq!(dependence(several), ["dependent at a = 0: f[0] = 0", "dependent at a = b: f[1] = 0"]);
 }
 
 #[test]

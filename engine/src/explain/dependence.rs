@@ -1,5 +1,9 @@
 //! The shape values at which the functions of a family are linearly dependent.
 
+mod equations;
+
+pub use equations::{Dependence, dependence};
+
 use basis_kernel::{Statement, Values};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::rank::{Exceptional, ExceptionalSet, Table};
@@ -130,13 +134,18 @@ pub fn describe_exception(family: &Family, exception: &Exceptional) -> String {
     let values: Vec<String> = exception.values.iter().map(|(v, c)| c.describe(&family.names[v.0])).collect();
     let at = if values.is_empty() { String::from("all shape values") } else { values.join(", ") };
     let Some(combination) = &exception.combination else { return at };
+    format!("{at}: {} = 0", relation(family, combination, &exception.values))
+}
+
+/// The combination of the functions that vanishes at some shape values.
+fn relation(family: &Family, combination: &[Poly], values: &[(Var, Coordinate)]) -> String {
     let fixed = |p: &Poly| {
-        exception.values.iter().fold(p.clone(), |p, (v, c)| match c {
+        values.iter().fold(p.clone(), |p, (v, c)| match c {
             Coordinate::Rational(x) => p.at(*v, x),
             Coordinate::Algebraic(_) => p,
         })
     };
     let scaled: Vec<Poly> =
         combination.iter().enumerate().map(|(k, c)| c * &fixed(&family.numerator_factor(k))).collect();
-    format!("{at}: {} = 0", state::combination_text(family, &scaled))
+    state::combination_text(family, &scaled)
 }
