@@ -42,12 +42,13 @@ pub(super) fn simple(family: &Family) -> Vec<(Var, Rational)> {
     pieces.iter().find_map(|piece| as_values(&piece.image(&inside(piece)?))).unwrap_or_default()
 }
 
+/// Values, if all of them are rational.
 fn as_values(point: &[(Var, Coordinate)]) -> Option<Values> {
     let rational = |(var, c): &(Var, Coordinate)| match c {
         Coordinate::Rational(x) => Some((*var, x.clone())),
         Coordinate::Algebraic(_) => None,
     };
-    Some(point.iter().filter_map(rational).listed())
+    point.iter().map(rational).collect()
 }
 
 /// A point of the box of a piece that counts.
