@@ -45,19 +45,13 @@ impl Scope<'_> {
                         );
                         let places = self.last_of(var).map_or(0..0, |s| s.places.clone());
                         let names: Vec<&str> = self.domain[places].mapped(|v| self.names[v.0].as_str());
-                        let own =
-                            if self.function_name.is_empty() { "b" } else { self.function_name.as_str() };
-                        self.report(error.help(along_edges(own, &names, name)));
+                        self.report(error.help(along_edges(&self.shown_function(f), &names, name)));
                         return None;
                     }
                     Some(var) => steps.push((var, 1)),
                     None if self.is_mistaken(name) => return None,
                     None => {
-                        let error = self
-                            .error(argument.span, format!("`{name}` is not a variable to differentiate by"));
-                        self.report(
-                            error.help(format!("variables are {}", crate::plural::list(&self.names))),
-                        );
+                        self.no_variable(name, "differentiate", argument.span);
                         return None;
                     }
                 },
@@ -67,7 +61,7 @@ impl Scope<'_> {
                     return None;
                 }
                 (None, None) => {
-                    let var = self.only_domain_variable(span)?;
+                    let var = self.only_domain_variable(f, span)?;
                     if matches!(f.kind, ExprKind::Number(_)) && !matches!(argument.kind, ExprKind::Number(_))
                     {
                         let error = self.error(argument.span, "the function stands before the order");
@@ -85,7 +79,7 @@ impl Scope<'_> {
             }
         }
         if steps.is_empty() {
-            steps.push((self.only_domain_variable(span)?, 1));
+            steps.push((self.only_domain_variable(f, span)?, 1));
         }
         if let Some((_, order)) = steps.iter().find(|(_, order)| *order < 0) {
             let error = self.error(span, format!("the order {order} of a derivative is negative"));
@@ -124,6 +118,23 @@ impl Scope<'_> {
         }
     }
 
+    /// Reports a name by which nothing is differentiated or integrated.
+    pub(crate) fn no_variable(&self, name: &str, what: &str, span: Span) {
+        let error = self.error(span, format!("`{name}` is not a variable to {what} by"));
+        let Some((_, own)) = self.determined.iter().find(|(known, _)| known == name) else {
+            return self.report(error.help(format!("variables are {}", crate::plural::list(&self.names))));
+        };
+        let error = error.label("it follows from the other shape parameters");
+        let error = error.note(format!("as assumed, `{name}` is {}", own.display(&self.names)));
+        let others = (0..self.names.len()).map(Var).filter(|var| own.depends_on(*var));
+        let others: Vec<String> = others.map(|var| format!("`D(…, {})`", self.names[var.0])).listed();
+        self.report(match others.as_slice() {
+            [] => error.help("it has one value only"),
+            [only] if what == "differentiate" => error.help(format!("write {only}")),
+            _ => error.help(format!("variables are {}", crate::plural::list(&self.names))),
+        });
+    }
+
     /// Whether an expression is a basis function, the list of them, or a derivative of these.
     fn is_function(&self, expr: &Expr) -> bool {
         match &expr.kind {
@@ -151,15 +162,26 @@ impl Scope<'_> {
         }
     }
 
-    fn only_domain_variable(&self, span: Span) -> Option<Var> {
+    /// A function as it is written, where that is short; else the name of the functions.
+    fn shown_function(&self, f: &Expr) -> String {
+        match &f.kind {
+            ExprKind::Name(_) | ExprKind::Index(..) => {
+                Printer { constants: &self.constants, component: None }.print(f)
+            }
+            _ if self.function_name.is_empty() => String::from("b"),
+            _ => self.function_name.clone(),
+        }
+    }
+
+    fn only_domain_variable(&self, f: &Expr, span: Span) -> Option<Var> {
         if let [only] = self.domain.as_slice() {
             return Some(*only);
         }
         let names: Vec<String> = self.domain.mapped(|v| self.names[self.itself(*v).0].clone());
         let error = self.error(span, format!("there are {} domain variables", names.len()));
-        self.report(
-            error.help(format!("say by which to differentiate: `D(b, {})`", names.join(")` or `D(b, "))),
-        );
+        let f = self.shown_function(f);
+        let all = names.mapped(|name| format!("`D({f}, {name})`")).join(" or ");
+        self.report(error.help(format!("say by which to differentiate: {all}")));
         None
     }
 }

@@ -130,8 +130,10 @@ pub(crate) struct Scope<'a> {
     pub(crate) determined: Vec<(String, Fraction)>,
     /// With what the family is expanded anew for some of its claims.
     pub(crate) anew: Anew,
-    /// Where something is assumed that holds for no shape values.
-    pub(crate) impossible: Option<Span>,
+    /// The equations that are assumed and determine a parameter, as they are written.
+    pub(crate) equations: Vec<String>,
+    /// Where something is assumed that holds for no shape values, and what it is.
+    pub(crate) impossible: Option<(Span, String)>,
     /// The number of those that are the index parameters of the family.
     pub(crate) order: usize,
     /// What `let` defined; `None` when that went wrong.
@@ -433,6 +435,7 @@ impl Scope<'_> {
             constants: Vec::new(),
             determined: Vec::new(),
             anew: Anew::default(),
+            equations: Vec::new(),
             impossible: None,
             order: 0,
             lets: SortedMap::new(),

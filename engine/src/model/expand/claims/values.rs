@@ -7,8 +7,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::Joint;
+use crate::model::expand::bindings::{Giver, bound_names, has_one_value, is_determined};
 use crate::model::expand::fixed::assumed_away;
-use crate::model::expand::names::bound_name;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Inside, Scope};
 use crate::model::{Family, Parameter};
@@ -38,8 +38,18 @@ pub(super) fn neighbour(
         return None;
     }
     let mut given: Vec<(Var, Fraction)> = Vec::new();
+    let mut all: Vec<(&Binding, String)> = Vec::new();
     for binding in next {
-        let name = bound_name(scope, binding)?;
+        let names = bound_names(scope, binding)?;
+        if !has_one_value(scope, binding, Giver::With) {
+            return None;
+        }
+        all.extend(names.into_iter().map(|name| (binding, name)));
+    }
+    for (binding, name) in all {
+        if is_determined(scope, &name, binding, Giver::With)? {
+            return None;
+        }
         let Some(shape) = family.shapes.iter().find(|s| s.name == name) else {
             let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
             let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
@@ -109,58 +119,14 @@ pub(super) fn exceptions(
     for exception in written {
         let mut values: Vec<(Var, Rational)> = Vec::new();
         for binding in exception {
-            let name = bound_name(scope, binding)?;
-            let named = |s: &&Parameter| scope.names[scope.itself(s.var).0] == name;
-            let found = family.shapes.iter().find(named);
-            let angle = found.and_then(|s| family.analytic.angle(s.var)).cloned();
-            let value = match &angle {
-                Some(angle) => {
-                    let value = scope.scalar(&binding.value)?;
-                    let tangent = scope.angle_at(angle, &value, binding.value.span);
-                    match tangent.map(|x| x.map(|x| x.as_constant())) {
-                        Ok(x) => x??,
-                        Err((message, help)) => {
-                            scope.report(scope.error(binding.value.span, message).help(help));
-                            return None;
-                        }
-                    }
-                }
-                None => scope.number_or(&binding.value, "an exceptional value", EXCEPTIONS)?,
-            };
-            let Some(shape) = found else {
-                if scope.is_mistaken(&name) {
-                    return None;
-                }
-                let known: Vec<String> = family.shapes.mapped(|s| scope.names[scope.itself(s.var).0].clone());
-                let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
-                scope.report(if known.is_empty() {
-                    error.help("the family has no shape parameters")
-                } else {
-                    error.help(format!("shape parameters are {}", crate::plural::list(&known)))
-                });
-                return None;
-            };
-            if !shape.range.contains(&value) {
-                let range = family.declared(shape);
-                let error = scope.error(
-                    binding.value.span,
-                    match &angle {
-                        Some(angle) => {
-                            format!("the value of {} is outside of the declared range `{range}`", angle.name)
-                        }
-                        None => {
-                            format!("{} = {value} is outside of the declared range `{range}`", shape.name)
-                        }
-                    },
-                );
-                scope.report(error.help("only values inside the range can be exceptions"));
+            let names = bound_names(scope, binding)?;
+            if !has_one_value(scope, binding, Giver::Except) {
                 return None;
             }
-            if values.iter().any(|(v, _)| *v == shape.var) {
-                scope.report(scope.error(binding.name.span, format!("`{}` is given twice", shape.name)));
-                return None;
+            for name in &names {
+                let value = exceptional(scope, family, binding, name, &values)?;
+                values.push(value);
             }
-            values.push((shape.var, value));
         }
         let fixed = values.mapped(|(v, x)| (*v, Fraction::constant(x.clone())));
         if let (Some(first), true) = (exception.first(), family.pieces(&fixed, &[], true).is_empty()) {
@@ -170,4 +136,66 @@ pub(super) fn exceptions(
         all.push(values);
     }
     Some(all)
+}
+
+/// The value of one shape parameter at an exception, beside those that are known.
+fn exceptional(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    binding: &Binding,
+    name: &str,
+    known: &[(Var, Rational)],
+) -> Option<(Var, Rational)> {
+    let named = |s: &&Parameter| scope.names[scope.itself(s.var).0] == name;
+    let found = family.shapes.iter().find(named);
+    let angle = found.and_then(|s| family.analytic.angle(s.var)).cloned();
+    if is_determined(scope, name, binding, Giver::Except)? {
+        return None;
+    }
+    let value = match &angle {
+        Some(angle) => {
+            let value = scope.scalar(&binding.value)?;
+            let tangent = scope.angle_at(angle, &value, binding.value.span);
+            match tangent.map(|x| x.map(|x| x.as_constant())) {
+                Ok(x) => x??,
+                Err((message, help)) => {
+                    scope.report(scope.error(binding.value.span, message).help(help));
+                    return None;
+                }
+            }
+        }
+        None => scope.number_or(&binding.value, "an exceptional value", EXCEPTIONS)?,
+    };
+    let Some(shape) = found else {
+        if scope.is_mistaken(name) {
+            return None;
+        }
+        let known: Vec<String> = family.shapes.mapped(|s| scope.names[scope.itself(s.var).0].clone());
+        let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
+        scope.report(if known.is_empty() {
+            error.help("the family has no shape parameters")
+        } else {
+            error.help(format!("shape parameters are {}", crate::plural::list(&known)))
+        });
+        return None;
+    };
+    if !shape.range.contains(&value) {
+        let range = family.declared(shape);
+        let error = scope.error(
+            binding.value.span,
+            match &angle {
+                Some(angle) => {
+                    format!("the value of {} is outside of the declared range `{range}`", angle.name)
+                }
+                None => format!("{} = {value} is outside of the declared range `{range}`", shape.name),
+            },
+        );
+        scope.report(error.help("only values inside the range can be exceptions"));
+        return None;
+    }
+    if known.iter().any(|(v, _)| *v == shape.var) {
+        scope.report(scope.error(binding.name.span, format!("`{}` is given twice", shape.name)));
+        return None;
+    }
+    Some((shape.var, value))
 }

@@ -10,12 +10,12 @@ use basis_prover::collections::sort::sort_by_key;
 use proc_macro2::Span;
 
 use self::angle::fixed_angle;
-use super::names::bound_name;
+use super::bindings::{Giver, bound_names, has_one_value, zero};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::scope::{Fixed, Inside, Scope};
-use crate::model::{Barycentric, Family, Parameter, chart, label};
+use crate::model::{Barycentric, Family, Parameter, chart};
 use crate::syntax::Binding;
 use basis_prover::collections::list::Listed;
 
@@ -35,17 +35,13 @@ pub(super) fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]
     let pending = scope.pending.len();
     let mut all: Vec<(&Binding, String)> = Vec::new();
     for binding in bindings {
-        let name = bound_name(scope, binding)?;
-        if scope.anew.given.iter().any(|(given, _)| *given == name) {
-            continue; // the family is expanded with this value
+        let names = bound_names(scope, binding)?;
+        if !has_one_value(scope, binding, Giver::At) {
+            return None;
         }
-        if binding.indices.is_empty() && scope.variable(&name).is_none() && scope.is_list_of_shapes(&name) {
-            // A name without an index stands for all of its parameters.
-            let own = scope.shapes_of(&name).into_iter().filter(|(_, value)| value.as_var().is_some());
-            all.extend(own.map(|(index, _)| (binding, label(&name, &index))));
-        } else {
-            all.push((binding, name));
-        }
+        // With what is given the family is expanded.
+        let is_given = |name: &String| scope.anew.given.iter().any(|(given, _)| given == name);
+        all.extend(names.into_iter().filter(|name| !is_given(name)).map(|name| (binding, name)));
     }
     // At α = 1, t = α the point is where the shape value says.
     let is_point = |name: &str| scope.variable(name).is_some_and(|var| scope.is_domain_variable(var));
@@ -180,14 +176,6 @@ fn fix(
     }
     fixed.push((var, value));
     Some(())
-}
-
-/// Where a function that is linear in a variable, with a number as its slope, is zero.
-fn zero(f: &Fraction, var: Var) -> Option<Fraction> {
-    let p = f.as_poly().filter(|p| p.degree(var) == 1)?;
-    let [rest, slope] = &p.coefficients_in(var)[..] else { return None };
-    let scale = -slope.as_constant()?.recip()?;
-    Some(Fraction::from(rest.scale(&scale)))
 }
 
 /// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.

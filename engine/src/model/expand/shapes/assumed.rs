@@ -88,7 +88,7 @@ fn determine(
     let p = difference.numer();
     if let Some(c) = p.as_constant() {
         if !c.is_zero() {
-            scope.impossible = Some(span);
+            scope.impossible = Some((span, String::from(text)));
         }
         return Some(());
     }
@@ -130,6 +130,7 @@ fn determine(
     // What has been evaluated already may mention the variables as they were.
     scope.lets = SortedMap::new();
     scope.determined.push((parameter.name.clone(), Fraction::from(value.clone())));
+    scope.equations.push(String::from(text));
     for (end, above) in [(&parameter.range.low, false), (&parameter.range.high, true)] {
         let Some(bound) = end.value() else { continue };
         let distance = &value - &Poly::constant(bound.clone());

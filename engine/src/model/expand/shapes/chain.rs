@@ -185,6 +185,14 @@ fn one(
                         );
                         None
                     }
+                    Some(_) if range.is_empty() && crossing(&parts, k, &range, shapes, &texts).is_some() => {
+                        let label = crossing(&parts, k, &range, shapes, &texts).unwrap_or_default();
+                        let error = scope.error(name.span, format!("the range of `{}` is empty", name.text));
+                        scope.report(
+                            error.label(label).help("choose ends between which there are values, here or where the other parameter is declared"),
+                        );
+                        None
+                    }
                     _ => checked_range(scope, name.span, range, &|| name.text.clone()),
                 };
                 let var = variable(scope, name);
@@ -262,6 +270,41 @@ fn hull(parts: &[Part], decl: &ShapeDecl, at: usize, above: bool, shapes: &Shape
             found = if strict { End::Excluded(value) } else { End::Included(value) };
         }
     }
+}
+
+/// Why no values lie between the ends of a range, where another parameter is one of them.
+fn crossing(parts: &[Part], at: usize, range: &Range, shapes: &Shapes, texts: &[String]) -> Option<String> {
+    // The part that is the end on one side, as text, and whether it is a parameter.
+    let by = |above: bool| {
+        let end = if above { &range.high } else { &range.low };
+        let number = end.value()?;
+        let mut beyond: Vec<usize> = if above { (at + 1..parts.len()).listed() } else { (0..at).listed() };
+        if !above {
+            beyond.reverse();
+        }
+        beyond.into_iter().find_map(|k| {
+            let Part::Value(value) = &parts[k] else { return None };
+            let Some(var) = value.as_var() else {
+                return (value.as_constant().as_ref() == Some(number)).then(|| (number.to_string(), false));
+            };
+            let own = shapes.parameters.iter().find(|p| p.var == var).map(|p| &p.range)?;
+            let own = if above { &own.high } else { &own.low };
+            if own.value() != Some(number) {
+                return None;
+            }
+            let bound = match (above, own.is_included()) {
+                (true, true) => "at most",
+                (true, false) => "below",
+                (false, true) => "at least",
+                (false, false) => "above",
+            };
+            Some((format!("`{}`, which is {bound} {number}", texts[k]), true))
+        })
+    };
+    let ((low, by_low), (high, by_high)) = (by(false)?, by(true)?);
+    let is = if range.low.value() > range.high.value() { "is above" } else { "is not below" };
+    let comma = if by_low { "," } else { "" };
+    (by_low || by_high).then(|| format!("its low end {low}{comma} {is} {high}"))
 }
 
 /// Of `λ[2]` what stands before the bracket.

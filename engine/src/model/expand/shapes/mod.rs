@@ -81,9 +81,25 @@ pub(super) fn has_values(scope: &mut Scope<'_>, shapes: &Shapes, span: Span) -> 
         Some(_) => {}
     }
     let texts = chart::texts(&shapes.constraints);
-    let error = scope.error(fixed.unwrap_or(span), "no shape values satisfy all that is assumed");
-    let error = if texts.is_empty() { error } else { error.note(format!("assumed is {}", texts.join(", "))) };
-    scope.report(error.help("widen the ranges, or leave an assumption out"));
+    let message = "no shape values satisfy all that is assumed";
+    let Some((span, equation)) = fixed else {
+        let error = scope.error(span, message);
+        let error =
+            if texts.is_empty() { error } else { error.note(format!("assumed is {}", texts.join(", "))) };
+        scope.report(error.help("widen the ranges, or leave an assumption out"));
+        return false;
+    };
+    // With the parameters that others determine it says that one number is another.
+    let error = scope.error(span, message);
+    let others = scope.equations.mapped(|other| format!("`{other}`"));
+    let known = scope.determined.mapped(|(name, value)| format!("{name} = {}", value.display(&scope.names)));
+    let error = if others.is_empty() {
+        error.note(format!("`{equation}` is false for all values"))
+    } else {
+        let (others, known) = (crate::plural::list(&others), known.join(", "));
+        error.note(format!("`{equation}` contradicts {others}, by which {known}"))
+    };
+    scope.report(error.help("leave one of the equations out, or correct it"));
     false
 }
 
