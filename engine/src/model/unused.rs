@@ -224,7 +224,8 @@ fn idle_loop(
     loops.generators.iter().find_map(|generator| {
         let Generator::Range(range) = generator else { return None };
         let name = &range.name.text;
-        if is_claim && !used.contains(&name.as_str()) {
+        // That a variable is no index is an error already.
+        if is_claim && !is_variable(written, name) && !used.contains(&name.as_str()) {
             let message = format!("the index variable `{name}` does not occur in the claim");
             let help = format!("write `b[{name}]` for each of the functions, or leave the loop out");
             return Some(Diagnostic::error(place(range.name.span), message).warning().help(help));
@@ -233,6 +234,20 @@ fn idle_loop(
             let message = format!("the index variable hides the index parameter `{name}`");
             Diagnostic::error(place(range.name.span), message).warning().help("choose another name")
         })
+    })
+}
+
+/// Whether a name is that of a domain variable or of a shape parameter.
+fn is_variable(written: &syntax::Family, name: &str) -> bool {
+    written.statements.iter().any(|statement| match &statement.kind {
+        StatementKind::Domain(decls) => decls.iter().any(|decl| decl.name.text == name),
+        StatementKind::Product(factors) => {
+            factors.iter().any(|factor| factor.names().iter().any(|own| own.text == name))
+        }
+        StatementKind::Shape(decls) => {
+            decls.iter().any(|decl| decl.parts.iter().any(|part| part.named() == Some(name)))
+        }
+        _ => false,
     })
 }
 

@@ -1,6 +1,9 @@
 //! Claims: `prove …` and `refute …`.
 
+use std::rc::Rc;
+
 use proc_macro2::{Delimiter, Ident, TokenTree};
+use syn::buffer::Cursor;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
@@ -93,7 +96,7 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
         ),
         _ if CALLED.contains(&text.as_str()) => {
             let message = format!("the argument of `{text}` has no brackets");
-            return error(word.span(), message, format!("write `{text}({next})`"));
+            return error(word.span(), message, format!("write `{text}({})`", bare_argument(after)));
         }
         Some(near) => format!("did you mean `{near}`?"),
         None if text == "Σ" || text == "Π" => {
@@ -104,6 +107,31 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
         None => of_papers(&text).unwrap_or_else(properties),
     };
     error(word.span(), format!("`{text}` is not a property"), help)
+}
+
+/// What is meant as the argument of a function that has no brackets: a name with what stands in brackets behind it, and the
+/// loop over it.
+fn bare_argument(from: Cursor<'_>) -> Rc<str> {
+    let Some((_, mut end)) = from.ident() else { return "…".into() };
+    while let Some((TokenTree::Group(_), after)) = end.token_tree() {
+        end = after;
+    }
+    let argument = end;
+    if end.ident().is_none_or(|(word, _)| word != "for") {
+        return text_of(from, argument);
+    }
+    // `..=` is no comparison.
+    let mut dots = false;
+    while let Some((token, after)) = end.token_tree() {
+        match &token {
+            TokenTree::Punct(p) if p.as_char() == ';' => return text_of(from, argument),
+            TokenTree::Punct(p) if "<>=".contains(p.as_char()) && !dots => return text_of(from, end),
+            TokenTree::Punct(p) => dots = p.as_char() == '.',
+            _ => dots = false,
+        }
+        end = after;
+    }
+    text_of(from, argument)
 }
 
 /// The property that a word resembles, begins, or ends in.
@@ -469,6 +497,9 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
             }
             None if input.peek(Token![,]) => String::from(
                 "write a statement for each claim, `prove b[0] >= 0;`, or a loop, `b[i] >= 0 for i in 0..=1`",
+            ),
+            _ if input.peek(Token![for]) => String::from(
+                "a list stands in brackets, `[b[i](1) for i in 0..=1] = [0, 1]`; the loop of a claim stands behind it, `b[i](1) >= 0 for i in 0..=1`",
             ),
             _ if input.peek(Token![:]) => {
                 String::from("claims have no names: a comment `/// …` before the claim says what it is")

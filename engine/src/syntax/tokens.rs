@@ -154,7 +154,12 @@ pub(super) fn number(literal: &Literal) -> Result<Rational> {
 
 /// A comparison sign, if one follows.
 pub(super) fn comparison(input: ParseStream<'_>) -> Result<Option<Comparison>> {
+    let apart = |first: bool, joined: bool| first && !joined && input.peek2(Token![=]);
     for (is_here, wrong, help) in [
+        (apart(input.peek(Token![<]), input.peek(Token![<=])), "< =", "write `<=`, without a space"),
+        (apart(input.peek(Token![>]), input.peek(Token![>=])), "> =", "write `>=`, without a space"),
+        (apart(input.peek(Token![!]), input.peek(Token![!=])), "! =", "write `!=`, without a space"),
+        (apart(input.peek(Token![=]), input.peek(Token![==])), "= =", "write `=`"),
         (
             input.peek(Token![=>]),
             "=>",

@@ -2,16 +2,13 @@
 
 use crate::algebra::rational::Rational;
 use crate::model::budget::SPLIT;
-use crate::model::scope::{Scope, Subject};
+use crate::model::scope::{Scope, Stage, Subject};
 use crate::model::tuples::multi_indices;
 use crate::syntax::{Comparison, Condition, Expr, Generator, Loops, Name};
 use basis_prover::collections::list::Listed;
 
 /// Loops that run longer than this are refused.
 const MAX_ITERATIONS: i64 = 20_000;
-
-/// What to write for `b[0] >= 0 for t in 0..=1/2`.
-const ON_A_PART: &str = "a claim holds on the whole domain; of a part of it claim the function with another argument, `b[0](t/2) >= 0` for `0 <= t <= 1/2`; an index variable has a name of its own";
 
 impl Scope<'_> {
     /// Runs over all values of the index variables; `false` when a bound or condition went wrong or the
@@ -88,7 +85,17 @@ impl Scope<'_> {
                 )));
                 false
             }
-            Some("a domain variable") => self.check_free_or(name, ON_A_PART),
+            Some("a domain variable") => {
+                self.undeclared.borrow_mut().push(name.text.clone());
+                let name_of = &name.text;
+                let error = self.error(name.span, format!("`{name_of}` is a domain variable, not an index"));
+                self.report(error.help(if self.stage == Stage::Defining {
+                    String::from("functions are given on the whole domain; an index variable has a name of its own, `b[i] = … for i in 0..=3`")
+                } else {
+                    format!("a claim is about the whole domain: leave `for {name_of} …` out; at one point it is claimed by `at {name_of} = 1/2 {{ … }}`, on a part of the domain of the function with another argument, `b[0]({name_of}/2) >= 0` for `0 <= {name_of} <= 1/2`")
+                }));
+                false
+            }
             Some("a shape parameter") => self.check_free_or(name, "a claim is about all values of a shape parameter: narrow its range where it is declared; an index variable has a name of its own"),
             Some(_) => self.check_free(name),
         }

@@ -1,6 +1,6 @@
 //! Expressions as text for messages: index variables replaced by their values, lists by one component.
 
-use crate::syntax::{Condition, Expr, ExprKind, Generator, Role, Sign, TheoremRelation};
+use crate::syntax::{Condition, Expr, ExprKind, Generator, Loops, Role, Sign, TheoremRelation};
 use basis_prover::collections::list::Mapped;
 
 /// How to print.
@@ -98,18 +98,23 @@ impl Printer<'_> {
             ),
             ExprKind::Index(base, indices) => {
                 // b[i] is one function already: its name is not to be replaced by a component.
-                let base =
-                    Printer { constants: self.constants, component: None }.at_least(base, Binding::Atom);
+                let base = self.plain().at_least(base, Binding::Atom);
                 let indices: Vec<String> =
                     indices.mapped(|i| self.whole(i).map_or_else(|| self.print(i), |n| n.to_string()));
                 (format!("{base}[{}]", indices.join(",")), Binding::Atom)
             }
             ExprKind::Call(callee, arguments) => {
-                let plain = Printer { constants: self.constants, component: None };
+                let plain = self.plain();
                 let inner_family = self.family_call(callee);
-                let printer = if inner_family { &plain } else { self };
-                let text =
-                    format!("{}({})", printer.at_least(callee, Binding::Atom), printer.list(arguments, ", "));
+                // A sum is one function, whatever list it is of.
+                let is_sum =
+                    matches!(&callee.kind, ExprKind::Name(name) if name == "sum" || name == "product");
+                let printer = if inner_family || is_sum { &plain } else { self };
+                let inner = match arguments.as_slice() {
+                    [Expr { kind: ExprKind::Each(body, loops), .. }] if is_sum => printer.each(body, loops),
+                    _ => printer.list(arguments, ", "),
+                };
+                let text = format!("{}({inner})", printer.at_least(callee, Binding::Atom));
                 match &self.component {
                     Some(c) if inner_family => (format!("{text}[{}]", indices(c.index)), Binding::Atom),
                     _ => (text, Binding::Atom),
@@ -124,24 +129,54 @@ impl Printer<'_> {
             },
             ExprKind::Tuple(parts) => (format!("({})", self.list(parts, ", ")), Binding::Atom),
             ExprKind::Each(body, loops) => {
-                let range = |g: &Generator| match g {
-                    Generator::Range(g) => {
-                        let dots = if g.inclusive { "..=" } else { ".." };
-                        format!("{} in {}{dots}{}", g.name.text, self.print(&g.low), self.print(&g.high))
-                    }
-                    Generator::Simplex(names, sum) => {
-                        let names: Vec<&str> = names.mapped(|n| n.text.as_str());
-                        format!("{} in simplex({})", names.join(", "), self.print(sum))
-                    }
-                };
-                let ranges: Vec<String> = loops.generators.mapped(range);
-                let mut text = format!("{} for {}", self.print(body), ranges.join(", "));
-                if let Some(condition) = &loops.condition {
-                    text += &format!(" if {}", self.condition(condition, false));
+                let list = || format!("[{}]", self.plain().each(body, loops));
+                match &self.component {
+                    None => (list(), Binding::Atom),
+                    Some(c) => match self.values_at(loops, c.position) {
+                        Some(values) => {
+                            let constants = [self.constants, &values].concat();
+                            Printer { constants: &constants, component: None }.parts(body)
+                        }
+                        None => (format!("{}[{}]", list(), c.position), Binding::Atom),
+                    },
                 }
-                (text, Binding::Sum)
             }
         }
+    }
+
+    /// The same for whole lists.
+    const fn plain(&self) -> Printer<'_> {
+        Printer { constants: self.constants, component: None }
+    }
+
+    /// An expression for all values of index variables, without the brackets around it.
+    fn each(&self, body: &Expr, loops: &Loops) -> String {
+        let range = |g: &Generator| match g {
+            Generator::Range(g) => {
+                let dots = if g.inclusive { "..=" } else { ".." };
+                format!("{} in {}{dots}{}", g.name.text, self.print(&g.low), self.print(&g.high))
+            }
+            Generator::Simplex(names, sum) => {
+                let names: Vec<&str> = names.mapped(|n| n.text.as_str());
+                format!("{} in simplex({})", names.join(", "), self.print(sum))
+            }
+        };
+        let ranges: Vec<String> = loops.generators.mapped(range);
+        let mut text = format!("{} for {}", self.print(body), ranges.join(", "));
+        if let Some(condition) = &loops.condition {
+            text += &format!(" if {}", self.condition(condition, false));
+        }
+        text
+    }
+
+    /// The value that the index variable of a loop has at a place of its list; of several, or with a condition, they are not
+    /// looked for.
+    fn values_at(&self, loops: &Loops, position: usize) -> Option<Vec<(String, i64)>> {
+        let ([Generator::Range(range)], None) = (loops.generators.as_slice(), &loops.condition) else {
+            return None;
+        };
+        let value = self.whole(&range.low)?.checked_add(i64::try_from(position).ok()?)?;
+        Some(vec![(range.name.text.clone(), value)])
     }
 
     /// A condition; inside of another one with brackets if it is made of several.

@@ -315,6 +315,23 @@ fn argument(after: &str) -> &str {
     }
 }
 
+/// The function on which a prime stands, with its index on either side of the prime: `b[0]'`, `b'[0]`; `b` where there is none.
+fn differentiated(before: &str, after: &str) -> String {
+    let index = |text: &str| !text.contains(['\n', ';', '[']);
+    let (before, own) = match before.strip_suffix(']').and_then(|inner| inner.rsplit_once('[')) {
+        Some((name, inner)) if index(inner) => (name, &before[name.len()..]),
+        _ => (before, ""),
+    };
+    let name = &before[before.trim_end_matches(|c: char| c.is_alphanumeric() || c == '_').len()..];
+    let behind = after.trim_start_matches(|c| PRIMES.contains(c));
+    let behind = behind.strip_prefix('[').and_then(|rest| rest.split_once(']')).map(|(inner, _)| inner);
+    match behind.filter(|inner| index(inner)) {
+        Some(inner) if !name.is_empty() && own.is_empty() => format!("{name}[{inner}]"),
+        _ if name.is_empty() => String::from("b"),
+        _ => format!("{name}{own}"),
+    }
+}
+
 /// What is wrong with a character outside of comments and strings, what to write instead, and Rust tokens
 /// that stand for it while the rest of the text is read (no longer than the character in bytes).
 fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, String)> {
@@ -346,8 +363,7 @@ fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, St
         return Some((message, help, d.to_string()));
     }
     if PRIMES.contains(c) {
-        let start = before.trim_end_matches(|c: char| c.is_alphanumeric() || c == '_').len();
-        let name = if before[start..].is_empty() { "b" } else { &before[start..] };
+        let name = differentiated(before, after);
         let help = format!("write `D({name})` for the derivative of `{name}`, `D({name}, 2)` for the second");
         return Some((format!("the character `{c}` is not allowed in a spec"), help, String::new()));
     }
