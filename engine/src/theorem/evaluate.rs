@@ -474,7 +474,15 @@ impl Elaboration<'_> {
     fn sum(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
         let [Expr { kind: ExprKind::Each(body, loops), .. }] = arguments else {
             let error = self.scope.error(span, "`sum` needs an expression with `for`");
-            self.scope.report(error.help("write `sum(P[i] for i in 0..=3)`"));
+            let printer = Printer { constants: &[], component: None };
+            self.scope.report(error.help(match arguments {
+                // As other systems have it.
+                [x, Expr { kind: ExprKind::Name(i), .. }, low, high] => {
+                    let [x, low, high] = [x, low, high].map(|part| printer.print(part));
+                    format!("write `sum({x} for {i} in {low}..={high})`")
+                }
+                _ => String::from("write `sum(P[i] for i in 0..=3)`"),
+            }));
             return None;
         };
         let mut total: Option<Value> = None;

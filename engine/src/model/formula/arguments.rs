@@ -4,6 +4,7 @@ use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
 use crate::model::scope::{CallSite, Needed, Planned, Scope, Stage};
 use crate::model::words::{BUILTINS, is_transcendental};
 use crate::plural::{count, here};
@@ -264,43 +265,81 @@ impl Scope<'_> {
             vars.push(angle.itself);
             values.push(value.clone());
         }
-        let value = self.put(f, &vars, &values, span)?;
+        let value = self.put_or(f, &vars, &values, span, &|| self.pole(by, span))?;
         if self.domain.iter().any(|v| f.denom().depends_on(*v)) {
             self.must_be_defined(&value, span);
         }
         Some(value)
     }
 
+    /// The error for a place at which a denominator of a function is zero.
+    fn pole(&self, by: &[Fraction], span: Span) -> Diagnostic {
+        let at = |(var, value): (&Var, &Fraction)| {
+            format!("{} = {}", self.names[self.itself(*var).0], value.display(&self.names))
+        };
+        let place = self.domain.iter().zip(by).map(at).listed().join(", ");
+        let error = self.error(span, format!("the function has a pole at {place}"));
+        error.label("a denominator is zero there").help("choose a place at which the function has a value")
+    }
+
     /// A function with others put in place of variables, all at once.
     pub(crate) fn put(&self, f: &Fraction, vars: &[Var], by: &[Fraction], span: Span) -> Option<Fraction> {
+        self.put_or(f, vars, by, span, &|| self.zero_denominator(span))
+    }
+
+    /// The error for a denominator that becomes zero.
+    fn zero_denominator(&self, span: Span) -> Diagnostic {
+        self.error(span, "a denominator becomes zero here")
+    }
+
+    /// The same with another error for a denominator that becomes zero.
+    fn put_or(
+        &self,
+        f: &Fraction,
+        vars: &[Var],
+        by: &[Fraction],
+        span: Span,
+        instead: &dyn Fn() -> Diagnostic,
+    ) -> Option<Fraction> {
         let mut result = f.clone();
         let later = |k: usize| vars.iter().skip(k + 1).any(|var| by[k].depends_on(*var));
         if !(0..by.len()).any(later) {
             for (var, value) in vars.iter().zip(by) {
-                result = self.put_one(&result, *var, value, span)?;
+                result = self.put_one_or(&result, *var, value, span, instead)?;
             }
             return Some(result);
         }
         // By way of variables that occur nowhere, so that no argument is substituted twice.
         let aside = self.names.len(); // no variable has these numbers
         for (k, var) in vars.iter().enumerate() {
-            let moved = self.budget.substitute(&result, *var, &Fraction::var(Var(aside + k)));
-            result = self.fits(moved, span)??;
+            result = self.put_one_or(&result, *var, &Fraction::var(Var(aside + k)), span, instead)?;
         }
         for (k, value) in by.iter().enumerate() {
-            result = self.put_one(&result, Var(aside + k), value, span)?;
+            result = self.put_one_or(&result, Var(aside + k), value, span, instead)?;
         }
         Some(result)
     }
 
     pub(crate) fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
+        self.put_one_or(f, var, by, span, &|| self.zero_denominator(span))
+    }
+
+    /// The same with another error for a denominator that becomes zero.
+    pub(crate) fn put_one_or(
+        &self,
+        f: &Fraction,
+        var: Var,
+        by: &Fraction,
+        span: Span,
+        instead: &dyn Fn() -> Diagnostic,
+    ) -> Option<Fraction> {
         if !f.depends_on(var) {
             return Some(f.clone());
         }
         let put = self.fits(self.budget.substitute(f, var, by), span)?;
         // An error about the denominator of a function says more.
         if put.is_none() && self.stage != Stage::Broken {
-            self.report(self.error(span, "a denominator becomes zero here"));
+            self.report(instead());
         }
         put
     }

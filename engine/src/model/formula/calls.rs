@@ -7,6 +7,7 @@ use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::model::chart::Constraint;
+use crate::model::formula::print::Printer;
 use crate::model::scope::{Condition, Duty, Inside, Pending, Scope};
 use crate::model::{Barycentric, Family};
 use crate::plural::{count, here, list};
@@ -103,7 +104,11 @@ impl Scope<'_> {
     ) -> Option<Value> {
         let mut order = Vec::new();
         for o in orders {
-            order.push(self.whole(o, "the order of a family")?);
+            let argument = Printer { constants: &self.constants, component: None }.print(o);
+            let help = format!(
+                "an order is a whole number, `Bernstein(3)`; an argument in place of the variable stands behind an index, `Bernstein(3)[0]({argument})`"
+            );
+            order.push(self.whole_or(o, "the order of a family", Some(&help))?);
         }
         let family = match self.library.family(self.unit, name, &order) {
             Ok(family) => family,
@@ -173,7 +178,13 @@ impl Scope<'_> {
             let theirs = kind(family.domain.len(), &family.simplices);
             let ours = kind(self.domain.len(), &self.simplices);
             let error = self.error(span, format!("`{name}` is defined on {theirs}, this family on {ours}"));
-            let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
+            // Names that have a meaning here, as far as there are enough.
+            let own: Vec<&str> =
+                self.factors().iter().flatten().map(|v| self.names[self.itself(*v).0].as_str()).listed();
+            let mut names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
+            if names.len() <= own.len() && family.simplices.is_empty() {
+                names = own[..names.len()].to_vec();
+            }
             self.report(error.help(format!(
                 "give its functions arguments, such as `{}[…]({})`, or compare with a family on the same domain",
                 written(&family),
@@ -249,7 +260,8 @@ impl Scope<'_> {
                 match self.fits(self.budget.substitute(&value, aside(k), value_of), span)? {
                     Some(v) => value = v,
                     None => {
-                        self.report(self.error(span, format!("a denominator of `{name}` becomes zero here")));
+                        let error = self.error(span, format!("a denominator of `{name}` becomes zero here"));
+                        self.report(error.help("choose other shape values, or another place"));
                         return None;
                     }
                 }

@@ -4,7 +4,6 @@ use proc_macro2::Span;
 
 use super::Value;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::number::binomial;
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
 use crate::model::budget::TooLarge;
@@ -14,9 +13,6 @@ use crate::model::words::{BUILTINS, PI, is_transcendental};
 use crate::plural::count;
 use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
 use basis_prover::collections::list::{Listed, Mapped};
-
-/// factorial and binomial of larger numbers are refused.
-const MAX_FACTORIAL: i64 = 500;
 
 impl Scope<'_> {
     /// The one function that an expression is; reports a list.
@@ -116,7 +112,7 @@ impl Scope<'_> {
     }
 
     /// The values of an expression for all values of index variables.
-    fn collect(&mut self, body: &Expr, loops: &Loops) -> Option<Vec<Fraction>> {
+    pub(super) fn collect(&mut self, body: &Expr, loops: &Loops) -> Option<Vec<Fraction>> {
         let mut list = Vec::new();
         let fine = self.each(loops, &mut |scope| match scope.scalar(body) {
             Some(value) => {
@@ -363,7 +359,20 @@ impl Scope<'_> {
                 exponent.span,
                 format!("the exponent {e} is not a whole number: this is not a polynomial"),
             );
-            self.report(error.help("exponents are whole numbers"));
+            let named = match &base.kind {
+                ExprKind::Name(name) if self.is_over_domain(&value) => Some(name.as_str()),
+                _ => None,
+            };
+            // Of t^(3/2) with t = s^2.
+            let roots = e.denom().to_string();
+            self.report(error.help(match named {
+                Some(name) => format!(
+                    "roots are not in the language: put {name} = s^{roots} and let s be the variable of the domain, `domain 0 <= s <= 1`; then {name}^(1/{roots}) is s"
+                ),
+                None => String::from(
+                    "exponents are whole numbers: claim something about the power without the root, or let the root be a shape parameter",
+                ),
+            }));
             return None;
         }
         let magnitude = e.abs().to_i64().and_then(|n| u32::try_from(n).ok());
@@ -488,82 +497,6 @@ impl Scope<'_> {
             _ => String::from("the list is empty"),
         }));
         None
-    }
-
-    pub(super) fn builtin(&mut self, name: &str, arguments: &[Expr], span: Span) -> Option<Value> {
-        let constant = |value: Rational| Some(Value::Scalar(Fraction::constant(value)));
-        match (name, arguments) {
-            ("sum" | "product", [one]) => {
-                let list = match &one.kind {
-                    ExprKind::Each(body, loops) => self.collect(body, loops)?,
-                    _ => match self.value(one)? {
-                        Value::List(list) => list.into_iter().map(|(_, f)| f).listed(),
-                        Value::Scalar(f) => vec![f],
-                    },
-                };
-                let mut result =
-                    Fraction::constant(if name == "sum" { Rational::ZERO } else { Rational::ONE });
-                for f in &list {
-                    let next =
-                        if name == "sum" { self.budget.add(&result, f) } else { self.budget.mul(&result, f) };
-                    result = self.fits(next, span)?;
-                }
-                Some(Value::Scalar(result))
-            }
-            ("binomial", [n, k]) => {
-                let (n, k) = (
-                    self.whole(n, "the first argument of `binomial`")?,
-                    self.whole(k, "the second argument of `binomial`")?,
-                );
-                if !(0..=MAX_FACTORIAL).contains(&n) {
-                    self.report(
-                        self.error(span, format!("binomial({n}, {k}) is not computed"))
-                            .help(format!("the first argument is from 0 to {MAX_FACTORIAL}")),
-                    );
-                    return None;
-                }
-                constant(u32::try_from(k).map_or(Rational::ZERO, |k| binomial(n as u32, k)))
-            }
-            ("factorial", [n]) => {
-                let n = self.whole(n, "the argument of `factorial`")?;
-                if !(0..=MAX_FACTORIAL).contains(&n) {
-                    self.report(
-                        self.error(span, format!("factorial({n}) is not computed"))
-                            .help(format!("the argument is from 0 to {MAX_FACTORIAL}")),
-                    );
-                    return None;
-                }
-                constant((1..=n).fold(Rational::ONE, |p, k| &p * &Rational::from(k)))
-            }
-            ("floor", [x]) => {
-                let x = self.compared_number(x, "floor")?;
-                constant(x.floor())
-            }
-            ("ceil", [x]) => {
-                let x = self.compared_number(x, "ceil")?;
-                constant(-(-x).floor())
-            }
-            ("min" | "max", [x, y]) => {
-                let (x, y) = (self.compared_number(x, name)?, self.compared_number(y, name)?);
-                constant(if name == "min" { x.min(y) } else { x.max(y) })
-            }
-            _ => {
-                let usage = match name {
-                    "sum" | "product" => format!("{name}(t^i for i in 0..=n)"),
-                    "binomial" => String::from("binomial(n, i)"),
-                    "min" | "max" => format!("{name}(i, j)"),
-                    _ => format!("{name}(n)"),
-                };
-                let error = self.error(span, format!("wrong number of arguments for `{name}`"));
-                self.report(error.help(match (name, arguments) {
-                    ("min" | "max", [_]) => format!(
-                        "`{usage}` compares two numbers; that a function is nowhere larger is an inequality, `b[0] <= 1`"
-                    ),
-                    _ => format!("write `{usage}`"),
-                }));
-                None
-            }
-        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives, integrals,
-//! names with arguments, calls of other families, loops, and expressions that must be numbers; `phase` and `beside`
-//! for angles; `settle` decides what has to hold for them to mean something; `print` writes them into messages.
+//! functions of the language (`builtins`), names with arguments, calls of other families, loops, and expressions that must
+//! be numbers; `phase` and `beside` for angles; `settle` decides what has to hold for them to mean something; `print`
+//! writes them into messages.
 
 mod arguments;
 #[cfg(feature = "angles")]
 mod beside;
+mod builtins;
 mod calls;
 mod derivatives;
 mod evaluate;

@@ -41,8 +41,16 @@ impl Scope<'_> {
 
     /// The whole number that an expression is; reports anything else.
     pub(crate) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
+        self.whole_or(expr, what, None)
+    }
+
+    /// The same, with what to write instead of what is no number.
+    pub(crate) fn whole_or(&mut self, expr: &Expr, what: &str, help: Option<&str>) -> Option<i64> {
         let counts = core::mem::replace(&mut self.counts, true);
-        let value = self.number(expr, what);
+        let value = match help {
+            Some(help) => self.number_or(expr, what, help),
+            None => self.number(expr, what),
+        };
         self.counts = counts;
         let value = value?;
         match value.to_i64() {

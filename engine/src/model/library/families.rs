@@ -74,8 +74,18 @@ impl Library<'_> {
         let family = self.units[home].family(position).ok_or(None)?;
         if family.orders.len() != order.len() {
             let wanted: Vec<String> = family.orders.mapped(|g| g.name.text.clone());
+            // Small values that all of them can have; of order 0 there is seldom more than one function.
+            let mut small = Vec::new();
+            while small.len() < wanted.len()
+                && let Some((first, last)) = self.order_range(home, family, &small)
+            {
+                small.push(first.max(1).min(last));
+            }
             let help = if wanted.is_empty() {
                 format!("write `{name}`")
+            } else if order.is_empty() && small.len() == wanted.len() {
+                let small = small.mapped(i64::to_string).join(", ");
+                format!("write `{name}({})` with numbers, such as `{name}({small})`", wanted.join(", "))
             } else {
                 format!("write `{name}({})` with numbers", wanted.join(", "))
             };

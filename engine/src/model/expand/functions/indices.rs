@@ -6,8 +6,9 @@ use crate::model::scope::Scope;
 use crate::model::tuples::numbered;
 use crate::plural::list;
 use crate::syntax;
-use basis_prover::collections::list::Listed;
+use basis_prover::collections::list::{Listed, Mapped};
 use core::ops::Range;
+use proc_macro2::Span;
 
 use basis_prover::collections::sort::{sort_by, sort_by_key};
 
@@ -42,6 +43,10 @@ pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool
     let verb = if names.len() == 1 { "is" } else { "are" };
     let last = scope.defined.values().max_by_key(|definition| definition.place);
     let span = last.map_or(written.name.span, |definition| definition.span);
+    if let Some(error) = other_width(scope, width, span) {
+        scope.report(error);
+        return false;
+    }
     let error = scope.error(span, format!("{} {verb} missing", list(&names)));
     scope.report(if let Some(help) = digits(scope, width) {
         error.help(help)
@@ -108,8 +113,7 @@ fn coordinates(scope: &Scope<'_>, own: &Range<usize>) -> String {
 fn on_product(scope: &Scope<'_>, error: Diagnostic, places: &[Range<usize>], first: &[i64]) -> Diagnostic {
     let sizes = sizes(scope);
     let (mut shown, mut loops) = (Vec::new(), Vec::new());
-    let mut letters =
-        ["i", "j", "k", "l", "m", "p", "q", "r", "s", "a", "c", "d", "e", "f", "g", "h"].into_iter();
+    let mut letters = LETTERS.into_iter();
     for own in places {
         let names: Vec<&str> = letters.by_ref().take(own.len()).listed();
         let of = coordinates(scope, own);
@@ -149,15 +153,47 @@ fn on_simplex(scope: &Scope<'_>, error: Diagnostic, missing: &[&Vec<i64>], sum: 
     }
 }
 
+/// The error for functions on a product of simplices and intervals with another number of indices than it has coordinates.
+fn other_width(scope: &Scope<'_>, width: usize, span: Span) -> Option<Diagnostic> {
+    let factors = scope.factors();
+    let names = factors.concat().mapped(|var| scope.names[var.0].clone());
+    if scope.simplices.is_empty() || factors.len() < 2 || width < 2 || width == names.len() {
+        return None;
+    }
+    let has = crate::plural::indices(width);
+    let error =
+        scope.error(span, format!("the functions have {has}, the domain has {} coordinates", names.len()));
+    let first = scope.functions.keys().next()?;
+    // The order is that of the first simplex.
+    let sum = first.iter().take(factors.iter().map(Vec::len).max().unwrap_or(1)).sum::<i64>().max(1);
+    let mut letters = LETTERS.into_iter();
+    let (mut all, mut loops) = (Vec::new(), Vec::new());
+    for own in &factors {
+        let names: Vec<&str> = letters.by_ref().take(own.len()).listed();
+        loops.push(match names.as_slice() {
+            [only] => format!("{only} in 0..=1"),
+            _ => format!("{} in simplex({sum})", names.join(", ")),
+        });
+        all.extend(names);
+    }
+    let name = &scope.function_name;
+    let label = format!("one index for each coordinate: {}", list(&names));
+    Some(error.label(label).help(format!(
+        "write `{name}[{}] = … for {};`, or number the functions with one index",
+        all.join(", "),
+        loops.join(", ")
+    )))
+}
+
+/// Names of index variables.
+const LETTERS: [&str; 16] = ["i", "j", "k", "l", "m", "p", "q", "r", "s", "a", "c", "d", "e", "f", "g", "h"];
+
 /// What to write when the indices run over a simplex of another dimension than the domain has.
 fn too_few_names(scope: &Scope<'_>, width: usize, sum: i64) -> Option<String> {
     if width < 2 || !scope.functions.keys().all(|index| index.iter().sum::<i64>() == sum) {
         return None;
     }
     let name = &scope.function_name;
-    if scope.simplices.len() < scope.factors().len() && !scope.simplices.is_empty() {
-        return None;
-    }
     Some(match (!scope.simplices.is_empty(), scope.domain.len()) {
         (true, 2) => format!(
             "a triangle has three coordinates: write `{name}[i, j, k] = … for i, j, k in simplex({sum});`"

@@ -45,7 +45,7 @@ impl Scope<'_> {
             let error = self.error(span, "the integral leaves the functions of a spec");
             let label =
                 format!("no combination of {functions} and powers of `{name}` has this as its derivative");
-            let help = "multiply by the denominator, or claim the derivative of an antiderivative: `D(-cos(t)) = sin(t)`";
+            let help = "claim that the integrand lies between functions that are integrated, `x <= y <= z`: their integrals bound this one";
             self.report(error.label(label).help(help));
             return None;
         };

@@ -16,6 +16,7 @@ use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
 use crate::model::angle::{Angle, Kind};
 use crate::model::scope::Scope;
 use crate::plural::here;
@@ -28,7 +29,10 @@ fn factorial(n: u32) -> Rational {
 }
 
 /// What an integral that cannot be written down is answered with.
-const LEAVES: &str = "multiply by the denominator, or claim the derivative of an antiderivative";
+const LEAVES: &str = "logarithms and arc tangents are not in the language: claim that the integrand lies between polynomials, `p <= x <= q`; their integrals bound this one";
+
+/// What an integral over a simplex is answered with.
+const ON_A_SIMPLEX: &str = "over a simplex polynomials are integrated: claim that the integrand lies between two of them, `p <= x <= q`; their integrals bound this one";
 
 impl Scope<'_> {
     /// integral(f), integral(f, t, a, b).
@@ -119,8 +123,7 @@ impl Scope<'_> {
             Some(var) => Some(var),
             None if self.is_mistaken(name) => None,
             None => {
-                let error = self.error(expr.span, format!("`{name}` is not a variable to integrate by"));
-                self.report(error.help(format!("variables are {}", crate::plural::list(&self.names))));
+                self.no_variable(name, "integrate", expr.span);
                 None
             }
         }
@@ -154,8 +157,16 @@ impl Scope<'_> {
     fn value_of(&self, angle: &Angle, value: &Fraction, span: Span) -> Option<Fraction> {
         match self.angle_at(angle, value, span) {
             Ok(place) => place,
-            Err((message, help)) => {
-                self.report(self.error(span, message).help(help));
+            Err((message, _)) => {
+                let error = self.error(span, "the functions are not known at a bound of the integral");
+                let own = angle.name.as_str();
+                let help = "bounds are ends of the domain, multiples of `pi/2` and shape parameters";
+                let error = error.label(message);
+                self.report(error.help(if angle.kind == Kind::Circular {
+                    format!("{help}, and angles whose sine or cosine stands in the claim itself, `integral(sin({own}), {own}, 0, pi/4) = 1 - cos(pi/4)`")
+                } else {
+                    String::from("bounds are ends of the domain and shape parameters")
+                }));
                 None
             }
         }
@@ -186,13 +197,14 @@ impl Scope<'_> {
     ) -> Option<Fraction> {
         self.fits(self.budget.spend(f.numer().len() as u64), span)?;
         let antiderivative = if f.denom().depends_on(var) {
-            self.check_bounds(var, [low, high], span)?;
+            // Where there is none other bounds do not help.
             let Some(found) = self.fits(self.rational_antiderivative(f, var), span)? else {
                 let error = self.error(span, "the integral is not a rational number or function");
                 let label = "the antiderivative has a logarithm or an arc tangent";
                 self.report(error.label(label).help(LEAVES));
                 return None;
             };
+            self.check_bounds(var, [low, high], span)?;
             found
         } else {
             let raised = f.numer().terms().map(|(m, c)| {
@@ -201,9 +213,22 @@ impl Scope<'_> {
             });
             Fraction::new(Poly::from_terms(raised), f.denom().clone())?
         };
-        let upper = self.put_one(&antiderivative, var, high, span)?;
-        let lower = self.put_one(&antiderivative, var, low, span)?;
+        let at = |bound: &Fraction, side: &str| {
+            self.put_one_or(&antiderivative, var, bound, span, &|| self.diverges(var, bound, side, span))
+        };
+        let (upper, lower) = (at(high, "upper")?, at(low, "lower")?);
         self.fits(self.budget.sub(&upper, &lower), span)
+    }
+
+    /// The error for an integral up to a pole: where the antiderivative has one the integrand has one of a higher order.
+    fn diverges(&self, var: Var, bound: &Fraction, side: &str, span: Span) -> Diagnostic {
+        let end = match self.analytic.angle(var) {
+            Some(angle) => format!("the {side} end of `{}`", angle.name),
+            None => format!("the {side} end {} = {}", self.names[var.0], bound.display(&self.names)),
+        };
+        let error = self.error(span, "the integral diverges");
+        let error = error.label(format!("the integrand has a pole at {end}"));
+        error.help("it has no value: claim integrals that end before the pole, or of a function without it")
     }
 
     /// A function is known to have no pole in the domain; between other bounds it may.
@@ -272,7 +297,7 @@ impl Scope<'_> {
         let Some(var) = vars.iter().find(|v| f.denom().depends_on(**v)) else { return Some(()) };
         let name = &self.names[var.0];
         let error = self.error(span, "the integral is not a rational number or function");
-        self.report(error.label(format!("`{name}` is in a denominator")).help(LEAVES));
+        self.report(error.label(format!("`{name}` is in a denominator")).help(ON_A_SIMPLEX));
         None
     }
 }
