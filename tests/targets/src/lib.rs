@@ -161,10 +161,11 @@ fn case(file: Option<&str>, name: &str, order: &[i64], as_name: &'static str, sh
 /// When it is none, or has no code.
 pub fn case_of(source: Source, name: &str, order: &[i64], as_name: &'static str, shapes: &[f64]) -> Case {
     let library = Library::from_source(&Disk, &Prover, source);
-    let errors: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();
+    let errors: Vec<String> = library.diagnostics().into_iter().map(|d| d.message.clone()).collect();
     let item = library.item(name, order).unwrap_or_else(|_| panic!("{name}{order:?}: {errors:?}"));
     let checked = decide(item);
-    let wrong: Vec<String> = basis_engine::contradictions(&checked).into_iter().map(|d| d.message).collect();
+    let wrong: Vec<String> =
+        basis_engine::contradictions(&checked).into_iter().map(|d| d.message.clone()).collect();
     assert!(wrong.is_empty(), "{name}: {wrong:?}");
     let Subject::Family(family) = checked.subject.clone() else { panic!("{name} is no family") };
     let family = match generate::evaluated(&family, &checked.claims) {
