@@ -5,7 +5,7 @@ use basis_engine::{Claim, Subject};
 use serde_json::{Map, Value};
 
 /// The first field of every certificate.
-pub(super) const FORMAT: &str = "basis certificate 2";
+pub(super) const FORMAT: &str = "basis certificate 3";
 
 /// How the alternatives of an obligation are marked, in their order.
 pub(super) const SIGNS: [Option<&str>; 3] = [None, Some("negative"), Some("square")];

@@ -5,7 +5,7 @@
 //! spec itself, works out what has to be shown, and has the kernel check it.
 //!
 //! ```text
-//! format       "basis certificate 2"
+//! format       "basis certificate 3"
 //! spec         the path of the spec as it was given
 //! kind, name, order, variables     the family; variables are x0, x1, … in proofs
 //! obligations  what must be true for the formulas to mean something; for each: of, `negative` where a denominator is
@@ -19,6 +19,8 @@
 //!              points of a theorem, if it is about any points
 //!   undecided  left: what is left to decide
 //! ```
+//!
+//! Numbers of ways are those of the version of the program that wrote them, as the search that they belong to may change.
 //!
 //! A proof and a witness are texts of [`basis_kernel::text`], where they are described.
 //!

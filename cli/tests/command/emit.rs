@@ -21,6 +21,20 @@ fn the_checked_in_files_are_up_to_date() {
     }
 }
 
+/// A denominator that is positive for some of the shape values that are assumed and negative for others is not cut off at 0.
+#[test]
+fn denominators_with_another_sign_on_each_part_of_what_is_assumed() {
+    let parts = "shape -1 <= p <= 3; assume p^2 >= 1/4; b[0] = (1 - t)*p/(p + t/100);";
+    let one_sign = "shape 0 <= p <= 1; b[0] = (1 - t)/((t - p)^2*(t + 1) + 1/50);";
+    for (own, is_cut_off) in [(parts, false), (one_sign, true)] {
+        let spec = format!("family F {{ domain 0 <= t <= 1; {own} }}");
+        let folder = Folder::with("f.basis", &spec);
+        let run = folder.run(&["emit", "f.basis", "--to", "typescript"]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        assert_eq!(run.stdout.contains("Math.max(0.0"), is_cut_off, "{own}: {}", run.stdout);
+    }
+}
+
 #[test]
 fn a_file_is_written_and_recognized() {
     let folder = Folder::with("specs/quartic.basis", QUARTIC).and("src/lib.rs", "");

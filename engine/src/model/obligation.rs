@@ -37,7 +37,7 @@ impl Ground {
 }
 
 impl Obligation {
-    /// The proof of one of the alternatives itself, which says nothing of what is assumed.
+    /// The proof of one of the alternatives itself, also that of the square, if it needs nothing that is assumed.
     pub fn proof(&self) -> Option<&Proof> {
         let ground = self.ground.as_ref().filter(|ground| ground.way.is_none())?;
         ground.proofs.first()
@@ -48,7 +48,8 @@ impl Obligation {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Goal {
     /// A polynomial vanishes nowhere: it, or its negative, is positive, as on a connected domain one of them has to be; under
-    /// assumptions, which may leave several parts of a domain, it is enough that its square is.
+    /// assumptions, which may leave several parts of a domain, it is enough that its square is: then it may have another sign on
+    /// each part.
     Nonzero(Poly, std::rc::Rc<Domain>),
     /// A statement.
     Holds(Statement),

@@ -35,8 +35,8 @@ pub struct Completed {
 }
 
 impl Sign {
-    /// That at one point at which all conditions hold: a family is made only when its denominator is proved to have one sign
-    /// wherever they do.
+    /// That at one point at which all conditions hold: a family is made only when its denominator is proved to vanish nowhere
+    /// where they do, and it has one sign on a convex set. Conditions that are not linear may leave several parts.
     pub(super) fn of(family: &Family, bernstein: &[Poly]) -> Self {
         if has_one_sign(bernstein, &family.region()) {
             return Self::Kept;
@@ -51,7 +51,9 @@ impl Sign {
             }
         }
         let sign = |p: &Poly| p.as_constant().map_or(0, |c| c.signum());
+        let is_convex = family.constraints.iter().all(|c| c.value.total_degree() <= 1);
         match sign(&value) {
+            _ if !is_convex => Self::Unknown,
             _ if premises.iter().any(|p| sign(p) <= 0) => Self::Unknown,
             1 => Self::Positive,
             -1 => Self::Negative,

@@ -2,6 +2,7 @@
 
 use basis_prover::collections::list::Mapped;
 
+use super::run::SPENT;
 use super::verdict::{Verdict, as_declared};
 use crate::claim::{Claim, ClaimKind, Comparison, Expected};
 use crate::diagnostic::{Diagnostic, Place};
@@ -87,7 +88,11 @@ fn contradiction(
             Diagnostic::error(place.clone(), message)
                 .label(format!("declared to be {verb}"))
                 .note(left.clone())
-                .help("raise the budget, such as `budget 10;`, or narrow the ranges")
+                .help(if left == SPENT {
+                    "move it to a file of its own"
+                } else {
+                    "raise the budget, such as `budget 10;`, or narrow the ranges"
+                })
         }
     })
 }

@@ -24,6 +24,10 @@ const ROUNDS: [u64; 5] = [250_000, 1_000_000, 4_000_000, 10_000_000, UNITS];
 /// The round that is for raised budgets alone.
 const RAISED: usize = 3;
 
+/// Why a claim stays undecided after others have taken all the work.
+pub(super) const SPENT: &str =
+    "the other claims have used up the work of a whole run; check it in a spec of its own";
+
 /// Of a proof that took all the work there was for it.
 const IN_PARTS: &str = "the other claims have left too little work for it; check it in a spec of its own";
 
@@ -59,9 +63,7 @@ impl Run {
     /// Decides a claim in one of the rounds, which are numbered from 0; `None` where a later one may do so.
     pub fn decide_in(&mut self, round: usize, subject: &Subject, claim: &Claim) -> Option<Verdict> {
         if self.is_spent() {
-            return Some(Verdict::Undecided(String::from(
-                "the other claims have used up the work of a whole run; check it in a spec of its own",
-            )));
+            return Some(Verdict::Undecided(String::from(SPENT)));
         }
         let budget = u64::from(subject.budget());
         if round == RAISED && budget == 1 {

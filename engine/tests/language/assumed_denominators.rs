@@ -86,3 +86,35 @@ fn denominators_that_vanish_where_assumptions_hold() {
         assert!(error.message.contains(place), "{assumed}, {below}: {}", error.message);
     }
 }
+
+/// Where what is assumed has several parts a denominator may have another sign on each.
+#[test]
+fn total_positivity_beside_denominators_with_several_signs() {
+    let found = refuted(
+        "family Sign {
+            domain 0 <= t <= 1;
+            shape -1 <= p <= 1;
+            assume p^2 >= 1/4;
+            b[0] = (1 - t)/p;
+            b[1] = t/p;
+            refute totally_positive;
+        }
+        family OneMoves {
+            domain 0 <= t <= 1;
+            shape p, q;
+            assume p*q >= 1;
+            b[0] = (1 - t)/p;
+            b[1] = t/q;
+            refute totally_positive;
+        }
+        family Positive {
+            domain 0 <= t <= 1;
+            shape 0 <= p <= 2, 0 <= q <= 2;
+            assume p*q >= 1;
+            b[0] = (1 - t)/p;
+            b[1] = t/q;
+            prove totally_positive;
+        }",
+    );
+    assert_eq!(found.len(), 2, "{found:?}");
+}

@@ -21,9 +21,9 @@ use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::model::Family;
 use crate::model::bernstein::bernstein_table;
 use crate::model::chart::Piece;
+use crate::model::{Family, Function};
 use crate::state::family::point::{domain_names, named_point};
 use crate::state::family::{Said, on_part, premises};
 use crate::state::verdict::{Stated, Witness};
@@ -107,13 +107,19 @@ fn counts(point: &[(Var, Rational)], premises: &[(Poly, Relation)]) -> bool {
     premises.iter().all(|(g, sign)| at(g).is_none_or(|value| sign.holds(&value)))
 }
 
-/// The rows of a table of numerators, each with the sign of what stands below it.
+/// The rows of a table of numerators, each with the sign of what stands below it; `None` where that may be another one elsewhere,
+/// as 1/p where p² ≥ 1/4.
 fn signed(
     family: &Family,
     piece: &Piece,
     table: &[Vec<Poly>],
     sample: &[(Var, Rational)],
 ) -> Option<Vec<Vec<Poly>>> {
+    let below =
+        |f: &Function| if family.is_rational() { family.over.clone() } else { f.value.denom().clone() };
+    if !piece.is_exact() && family.functions.iter().any(|f| below(f).as_constant().is_none()) {
+        return None;
+    }
     let mut point = vec![Rational::ZERO; family.names.len()];
     for (var, c) in piece.image(&sample.mapped(|(v, x)| (*v, Coordinate::Rational(x.clone())))) {
         if let Coordinate::Rational(x) = c {
@@ -125,8 +131,7 @@ fn signed(
     }
     let mut rows = Vec::new();
     for (row, f) in table.iter().zip(&family.functions) {
-        let below = if family.is_rational() { &family.over } else { f.value.denom() };
-        let sign = below.eval(&point).signum();
+        let sign = below(f).eval(&point).signum();
         if sign == 0 {
             return None;
         }

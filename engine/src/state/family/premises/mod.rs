@@ -67,6 +67,9 @@ pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>>
 
 /// The same by the way with a number.
 pub(in crate::state) fn by(statement: &Statement, way: usize) -> Option<Vec<Statement>> {
+    if way > MAX_TRIED {
+        return None;
+    }
     let mut found = None;
     ways(statement, &mut |number, enough| {
         if number == way {
