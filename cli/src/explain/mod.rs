@@ -35,8 +35,9 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
             let known: Vec<&str> = theorems.iter().map(|t| t.subject.name()).collect();
             if let (Err(errors), false) = (&mut found, known.is_empty()) {
                 let known = format!("joins and theorems here: {}", known.join(", "));
-                let unknown = errors.iter_mut().find(|error| error.labels.is_empty());
-                unknown.into_iter().for_each(|error| error.notes.push(known.clone()));
+                if let Some(unknown) = errors.iter_mut().find(|error| error.labels.is_empty()) {
+                    unknown.notes.push(known);
+                }
             }
             (found, Vec::new())
         }
