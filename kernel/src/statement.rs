@@ -31,14 +31,6 @@ impl Relation {
             Self::Positive => sign > 0,
         }
     }
-
-    /// What −x is wherever x is not as claimed: > 0 where x ≥ 0 fails, and ≥ 0 where x > 0 does.
-    pub const fn of_negative(self) -> Self {
-        match self {
-            Self::NonNegative => Self::Positive,
-            Self::Positive => Self::NonNegative,
-        }
-    }
 }
 
 /// Variables x₁, …, xₖ with xᵢ ≥ 0 and x₁ + … + xₖ ≤ c: of k + 1 barycentric coordinates that sum to c all but the

@@ -42,6 +42,14 @@ pub enum Failure {
     Undecided(String),
 }
 
+/// What −x is wherever x is not as claimed: > 0 where x ≥ 0 fails, and ≥ 0 where x > 0 does.
+pub const fn of_negative(relation: Relation) -> Relation {
+    match relation {
+        Relation::NonNegative => Relation::Positive,
+        Relation::Positive => Relation::NonNegative,
+    }
+}
+
 /// The work for making an irrational counterexample explicit.
 const EXPLICIT: u64 = 20_000_000;
 

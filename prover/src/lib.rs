@@ -25,7 +25,7 @@ pub use budget::{
 };
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute, value_at};
-pub use decide::{Failure, Shown, decide, minor_signs, pull_back, simple};
+pub use decide::{Failure, Shown, decide, minor_signs, of_negative, pull_back, simple};
 pub use method::Method;
 pub use nonzero::{candidates, typical};
 pub use rank::symmetry::{Symmetries, Symmetry};

@@ -148,7 +148,7 @@ fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
     let domain = Rc::new(basis_kernel::Domain::of(Region { ranges: piece.ranges.clone() }));
     piece.premises.iter().any(|(p, relation)| {
         let Some(p) = piece.pull_back(p) else { return false };
-        let (value, relation) = (basis_kernel::Quotient::from(-&p), relation.of_negative());
+        let (value, relation) = (basis_kernel::Quotient::from(-&p), basis_prover::of_negative(*relation));
         let never = Goal::Holds(Proposition::Sign { value, relation, domain: Rc::clone(&domain) });
         // Where proofs are checked later, nothing is known.
         matches!(scope.library.judge().judge(&never, 1), Ok(Some(_)))

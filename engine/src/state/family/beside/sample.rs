@@ -365,7 +365,7 @@ pub(in crate::state::family) fn at_point(
         }
     }
     let domain = Rc::new(Domain { region: Region { ranges }, ..(**domain).clone() });
-    let opposite = relation.of_negative();
+    let opposite = basis_prover::of_negative(*relation);
     let negation =
         Statement::Sign { value: (-&value).quotient(), relation: opposite, domain: Rc::clone(&domain) };
     let narrow = Statement::Sign { value: value.quotient(), relation: *relation, domain };

@@ -10,6 +10,9 @@
 //! Where f has at most one degree more than g: f = P + N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then. The product m may
 //! be P² there.
 //!
+//! Where d ≥ 0 follows from the premises, n/d has the sign of n. Where n is a positive number plus f ≥ 0, it is positive. A range has no end
+//! at which a premise fails; and f > 0 may be shown at an end of a range and beyond it apart, where m > 0 and g > 0 are enough.
+//!
 //! The premise is then no longer needed: f − c·m·g ≥ 0 is said of the whole box.
 //!
 //! There are many such ways, each of which leads to statements that are enough. The first one is the one that proves most

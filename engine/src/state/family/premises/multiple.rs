@@ -197,8 +197,9 @@ fn of_variables(product: &Poly, premise: &Poly) -> Option<Poly> {
 }
 
 /// What a premise is multiplied by: the powers that a numerator has in all its terms, alone, and times the distances from
-/// the ends of the ranges of other variables, and times their squares; these without the powers, too; where its degree is lower than that of the numerator
-/// also variables that are ≥ 0, their sum, and squares.
+/// the ends of the ranges of other variables, and times their squares, where there are no ends those of the variables; these
+/// without the powers, too; where its degree is lower than that of the numerator also variables that are ≥ 0, their sum, and
+/// squares.
 fn factors(numerator: &Poly, premise: &Poly, domain: &Domain) -> Vec<Poly> {
     let own = common(numerator, domain);
     let (mut all, mut apart) = (vec![own.clone()], Vec::new());

@@ -1,8 +1,9 @@
-//! Ranges that premises make narrower.
+//! Ranges that premises make narrower, and their ends apart from what lies beyond.
 //!
 //! Where g < 0 beyond a number, nothing is claimed there: what holds for the rest of the box is enough.
 
 use basis_kernel::{Domain, Quotient, Relation, Statement};
+use basis_prover::of_negative;
 use std::rc::Rc;
 
 use super::{Accept, Seen, Sign};
@@ -77,7 +78,7 @@ impl Sign<'_> {
                 let End::Included(at) = end.clone() else { continue };
                 let fails = |(g, premise): &(Poly, Relation)| {
                     let g = Some(g).filter(|g| g.depends_on(*x))?;
-                    let (value, relation) = (Quotient::from(-&g.at(*x, &at)), premise.of_negative());
+                    let (value, relation) = (Quotient::from(-&g.at(*x, &at)), of_negative(*premise));
                     let fails = Sign { value, relation, domain: self.domain };
                     let seen = Seen::new(&fails.value, self.domain);
                     let is_seen = match fails.value.numerator.as_constant() {

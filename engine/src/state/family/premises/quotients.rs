@@ -5,6 +5,7 @@
 //! (c·x + r)² is positive where a premise g ≥ 0 holds if g is negative wherever x = −r/c.
 
 use basis_kernel::{Quotient, Relation, Statement};
+use basis_prover::of_negative;
 
 use super::{Accept, Seen, Sign, inside};
 use crate::algebra::divisors::factor::checked_factor;
@@ -71,7 +72,7 @@ impl Sign<'_> {
             let [rest, factor] = &base.coefficients_in(x)[..] else { return None };
             let zero = rest.scale(&-&factor.as_constant()?.recip()?);
             let fails = |(g, premise): &(Poly, Relation)| {
-                let relation = premise.of_negative();
+                let relation = of_negative(*premise);
                 let sign =
                     Sign { value: Quotient::from(-&g.substitute(x, &zero)), relation, domain: self.domain };
                 let fits = !Seen::new(&sign.value, self.domain)?.fails(relation);
