@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use basis_engine::algebra::rational::Rational;
-use basis_engine::model::obligation::Obligation;
+use basis_engine::model::obligation::{Ground, Obligation};
 use basis_engine::source::LIBRARY;
 use basis_engine::{Diagnostic, Subject, Verdict};
 use basis_kernel::{Certificate, Proof, text};
@@ -84,13 +84,15 @@ fn obligation(obligation: &Obligation) -> Value {
     let mut fields = Map::new();
     fields.insert(String::from("of"), Value::from(obligation.of.clone()));
     let Some(ground) = &obligation.ground else { return Value::Object(fields) };
-    if let Some(sign) = SIGNS[ground.alternative] {
+    if let Some(sign) = SIGNS[ground.alternative()] {
         fields.insert(String::from(sign), Value::from(true));
     }
-    match (ground.way, &ground.proofs[..]) {
-        (None, [known]) => fields.extend(proof(known).map(|text| (String::from("proof"), text))),
-        (way, all) => {
-            fields.extend(way.map(|way| (String::from("way"), Value::from(way))));
+    match ground {
+        Ground::Alone { proof: known, .. } => {
+            fields.extend(proof(known).map(|text| (String::from("proof"), text)));
+        }
+        Ground::Derived { way, proofs: all, .. } => {
+            fields.insert(String::from("way"), Value::from(*way));
             fields.insert(String::from("steps"), Value::from(all.len()));
             fields.extend(proofs(all.iter()));
         }

@@ -264,18 +264,33 @@ fn extrema(facts: explain::Extrema) -> ExtremaFacts {
     }
 }
 
+/// What is known of a family as a whole, on however many spans it is.
+pub(super) struct Whole<'f> {
+    family: &'f Family,
+    /// Where its functions are dependent.
+    dependence: explain::Dependence,
+    /// The bounds of its rounding errors.
+    rounding: Vec<(String, String)>,
+}
+
+impl<'f> Whole<'f> {
+    pub(super) fn new(family: &'f Family) -> Self {
+        let rounding = explain::rounding(family);
+        Self { family, dependence: explain::dependence(family), rounding }
+    }
+}
+
 impl FamilyFacts {
     /// What follows from the formulas of a family, on one span if it has several; its claims are those in `checked`, `next`
-    /// is its next order, `conversions` are matrices to and from another family, and `rounding` the bounds of its rounding errors.
+    /// is its next order, and `conversions` are matrices to and from another family.
     pub(super) fn new(
         library: &Library<'_>,
-        (family, span): (&Family, &Family),
+        (whole, span): (&Whole<'_>, &Family),
         checked: Option<&Checked>,
         next: Option<&Family>,
         conversions: &[explain::Matrix],
-        rounding: &[(String, String)],
     ) -> Self {
-        let dependence = explain::dependence(family);
+        let Whole { family, dependence, rounding } = whole;
         let all_extrema = explain::extrema(span);
         let is_first = family.pieces.first().is_none_or(|first| core::ptr::eq(&raw const **first, span));
         let contacts = if is_first { explain::contacts(family) } else { Vec::new() };
@@ -299,8 +314,8 @@ impl FamilyFacts {
             assumptions: domain::assumptions(family),
             functions: function_facts(span).into_iter().map(function).collect(),
             ends: explain::end_derivatives(span, ORDER).into_iter().map(equation).collect(),
-            dependent: dependence.at,
-            dependent_open: dependence.open,
+            dependent: dependence.at.clone(),
+            dependent_open: dependence.open.clone(),
             rounding_assumes: rounding::assumed(family).filter(|_| !rounding.is_empty()),
             rounding: rounding
                 .iter()

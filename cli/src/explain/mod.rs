@@ -15,7 +15,7 @@ use basis_engine::{Disk, Family, Item, Library, Prover, Selected, Severity, Subj
 use crate::args::{ExplainArguments, ExplainFormat};
 use crate::output::{self, Status, complain};
 use crate::{eval, name, spec};
-use facts::{ClaimFacts, Equation, Facts, FamilyFacts, MatrixFacts, TheoremFacts};
+use facts::{ClaimFacts, Equation, Facts, FamilyFacts, MatrixFacts, TheoremFacts, Whole};
 
 /// Explains the family, join or theorem that the arguments name, or all of the file, families in their lowest orders.
 pub(crate) fn run(arguments: &ExplainArguments) -> Status {
@@ -99,12 +99,11 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
         // On several spans each has formulas of its own; claims are about all of them, and stand with the first one.
         let spans =
             if family.pieces.is_empty() { core::slice::from_ref(&family) } else { &family.pieces[..] };
-        let mut rounding = Vec::new();
-        run.counted_work(&mut || rounding = explain::rounding(&family));
+        let whole = run.counted_work(&mut || Whole::new(&family));
         for (k, span) in spans.iter().enumerate() {
             let checked = checked.as_ref().filter(|_| k == 0);
             let facts = run.counted_work(&mut || {
-                FamilyFacts::new(&library, (&family, span), checked, next.as_deref(), &conversions, &rounding)
+                FamilyFacts::new(&library, (&whole, span), checked, next.as_deref(), &conversions)
             });
             all.push(Facts::Family(Box::new(facts)));
         }
@@ -293,22 +292,17 @@ fn summary(text: &mut String, claims: &[ClaimFacts]) {
         })
         .collect();
     *text += &format!("\n  Claims: {}\n", counts.join(", "));
-    for (first, size) in groups(claims) {
-        let (shown, more) = if size == 1 {
-            (&first.claim, String::new())
-        } else {
-            (&first.written, format!(" ({})", name::count(size, "claim")))
-        };
+    for (first, shown) in groups(claims) {
         let wrong = if first.as_declared { "" } else { ", not as declared" };
-        *text += &format!("    {:9} {shown}{more}{wrong}\n", first.verdict);
+        *text += &format!("    {:9} {shown}{wrong}\n", first.verdict);
         if first.verdict != "proved" {
             *text += &format!("              {}\n", first.reason);
         }
     }
 }
 
-/// The claims, of those of one statement with the same verdict the first one and how many there are.
-fn groups(claims: &[ClaimFacts]) -> Vec<(&ClaimFacts, usize)> {
+/// The claims as they are shown, of those of one statement with the same verdict the first one with how many there are.
+fn groups(claims: &[ClaimFacts]) -> Vec<(&ClaimFacts, String)> {
     let mut groups: Vec<(&ClaimFacts, usize)> = Vec::new();
     for claim in claims {
         match groups.iter_mut().find(|(first, _)| {
@@ -319,7 +313,11 @@ fn groups(claims: &[ClaimFacts]) -> Vec<(&ClaimFacts, usize)> {
             None => groups.push((claim, 1)),
         }
     }
-    groups
+    let shown = |(first, size): (&'_ ClaimFacts, usize)| match size {
+        1 => first.claim.clone(),
+        _ => format!("{} ({})", first.written, name::count(size, "claim")),
+    };
+    groups.into_iter().map(|group| (group.0, shown(group))).collect()
 }
 
 /// What names in the claims stand for.
@@ -359,13 +357,8 @@ fn theorem_text(facts: &TheoremFacts) -> String {
     }
     section(&mut text, "Determined control points", pairs(&facts.points));
     text += "\n  Claims\n";
-    for (first, size) in groups(&facts.claims) {
-        let (shown, more) = if size == 1 {
-            (&first.claim, String::new())
-        } else {
-            (&first.written, format!(" ({})", name::count(size, "claim")))
-        };
-        text += &format!("    {shown}{more}\n      {}: {}\n", first.verdict, first.reason);
+    for (first, shown) in groups(&facts.claims) {
+        text += &format!("    {shown}\n      {}: {}\n", first.verdict, first.reason);
     }
     names(&mut text, &facts.definitions);
     text

@@ -35,13 +35,12 @@ fn exceptions(family: &Family) -> ExceptionalSet {
     if rows.iter().flatten().any(|p| dependent.iter().any(|v| p.depends_on(*v))) {
         // Where an angle and its tangent have values that do not belong together nothing is said.
         set.exceptions.retain(|e| !e.values.iter().any(|(var, _)| dependent.contains(var)));
-        let except: Option<Vec<Values>> = set.exceptions.iter().map(|e| as_rational(&e.values)).collect();
-        set.open = except.map_or_else(|| Some(String::from(OTHERS)), |except| open_besides(family, except));
+        set.open = rational_values(&set)
+            .map_or_else(|| Some(String::from(OTHERS)), |except| open_besides(family, except));
         return set;
     }
     let everywhere = set.exceptions.iter().any(|e| e.values.is_empty());
-    let except: Option<Vec<Values>> = set.exceptions.iter().map(|e| as_rational(&e.values)).collect();
-    let Some(except) = except.filter(|_| !everywhere) else { return set };
+    let Some(except) = rational_values(&set).filter(|_| !everywhere) else { return set };
     if !family.constraints.is_empty() {
         // On the whole box the functions may be dependent where what is assumed is false.
         decide_besides(family, &mut set, except);
@@ -54,13 +53,9 @@ fn exceptions(family: &Family) -> ExceptionalSet {
     set
 }
 
-/// Values, if all of them are rational.
-fn as_rational(values: &[(Var, Coordinate)]) -> Option<Values> {
-    let value = |(var, c): &(Var, Coordinate)| match c {
-        Coordinate::Rational(x) => Some((*var, x.clone())),
-        Coordinate::Algebraic(_) => None,
-    };
-    values.iter().map(value).collect()
+/// The values of all exceptions, if they are rational.
+fn rational_values(set: &ExceptionalSet) -> Option<Vec<Values>> {
+    set.exceptions.iter().map(|e| shape_values::as_rational(&e.values)).collect()
 }
 
 /// What is left open of exceptions that may not be all.
@@ -90,15 +85,9 @@ fn decide_besides(family: &Family, set: &mut ExceptionalSet, mut except: Vec<Val
             Verdict::Refuted(witness) => witness,
             Verdict::Undecided(_) => return,
         };
-        let own = |(name, c): &(String, Coordinate)| {
-            let shape = family.shapes.iter().find(|p| p.name == *name)?;
-            Some((shape.var, c.clone()))
-        };
-        let point = witness.at.iter().filter_map(own).listed();
-        let Some(exception) = as_rational(&point).and_then(|point| exception_at(family, &point)) else {
-            return;
-        };
-        let Some(values) = as_rational(&exception.values) else { return };
+        let point = shape_values::of_witness(family, &witness);
+        let Some(exception) = point.and_then(|point| exception_at(family, &point)) else { return };
+        let Some(values) = shape_values::as_rational(&exception.values) else { return };
         if except.contains(&values) {
             return;
         }

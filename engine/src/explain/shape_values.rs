@@ -13,7 +13,7 @@ use crate::algebra::rational::Rational;
 use crate::claim::ClaimKind;
 use crate::model::Family;
 use crate::model::chart::Piece;
-use crate::state::{self, Verdict};
+use crate::state::{self, Verdict, Witness};
 
 /// Choices of simple numbers that are tried.
 const MAX_CHOICES: usize = 4_000;
@@ -39,11 +39,11 @@ pub(super) fn exist(family: &Family, values: &[(Var, Coordinate)]) -> bool {
 /// possible; nothing if none are found.
 pub(super) fn simple(family: &Family) -> Vec<(Var, Rational)> {
     let pieces = family.pieces(&[], &[], true);
-    pieces.iter().find_map(|piece| as_values(&piece.image(&inside(piece)?))).unwrap_or_default()
+    pieces.iter().find_map(|piece| as_rational(&piece.image(&inside(piece)?))).unwrap_or_default()
 }
 
 /// Values, if all of them are rational.
-fn as_values(point: &[(Var, Coordinate)]) -> Option<Values> {
+pub(super) fn as_rational(point: &[(Var, Coordinate)]) -> Option<Values> {
     let rational = |(var, c): &(Var, Coordinate)| match c {
         Coordinate::Rational(x) => Some((*var, x.clone())),
         Coordinate::Algebraic(_) => None,
@@ -154,9 +154,14 @@ pub(super) fn where_negative(family: &Family, position: usize) -> Option<Values>
     let mut only = family.clone();
     only.functions = vec![family.functions.get(position)?.clone()];
     let Verdict::Refuted(witness) = super::verdict(&only, ClaimKind::Nonnegative) else { return None };
+    of_witness(family, &witness)
+}
+
+/// The shape values of a counterexample, if all of them are rational.
+pub(super) fn of_witness(family: &Family, witness: &Witness) -> Option<Values> {
     let value = |(name, c): &(String, Coordinate)| {
         let shape = family.shapes.iter().find(|p| p.name == *name)?;
         Some((shape.var, c.clone()))
     };
-    as_values(&witness.at.iter().filter_map(value).listed())
+    as_rational(&witness.at.iter().filter_map(value).listed())
 }

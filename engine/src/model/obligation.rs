@@ -17,30 +17,43 @@ pub struct Obligation {
     pub ground: Option<Ground>,
 }
 
-/// Why one of the statements of a goal is true.
+/// Why one of the [alternatives](Goal::alternatives) of a goal, which is numbered, is true.
 #[derive(Clone, Debug)]
-pub struct Ground {
-    /// Its number among the [alternatives](Goal::alternatives).
-    pub alternative: usize,
-    /// The number of the way from it to statements that are enough for it where what is assumed holds; none if the statement itself
-    /// is proved.
-    pub way: Option<usize>,
-    /// Proofs of these statements.
-    pub proofs: Vec<Proof>,
+pub enum Ground {
+    /// It is proved itself.
+    Alone {
+        /// Its number.
+        alternative: usize,
+        /// The proof.
+        proof: Proof,
+    },
+    /// It follows where what is assumed holds.
+    Derived {
+        /// Its number.
+        alternative: usize,
+        /// The number of the way to statements that are enough for it.
+        way: usize,
+        /// Proofs of these statements.
+        proofs: Vec<Proof>,
+    },
 }
 
 impl Ground {
-    /// A proof of an alternative itself.
-    pub fn alone(alternative: usize, proof: Proof) -> Self {
-        Self { alternative, way: None, proofs: vec![proof] }
+    /// The number of the alternative.
+    pub const fn alternative(&self) -> usize {
+        match self {
+            Self::Alone { alternative, .. } | Self::Derived { alternative, .. } => *alternative,
+        }
     }
 }
 
 impl Obligation {
     /// The proof of one of the alternatives itself, also that of the square, if it needs nothing that is assumed.
-    pub fn proof(&self) -> Option<&Proof> {
-        let ground = self.ground.as_ref().filter(|ground| ground.way.is_none())?;
-        ground.proofs.first()
+    pub const fn proof(&self) -> Option<&Proof> {
+        match &self.ground {
+            Some(Ground::Alone { proof, .. }) => Some(proof),
+            _ => None,
+        }
     }
 }
 

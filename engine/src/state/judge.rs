@@ -10,7 +10,7 @@ use basis_prover::{
 };
 use std::rc::Rc;
 
-use super::family::premises;
+use super::family::premises::{self, NOT_DERIVED};
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::model::obligation::{Goal, Ground, Judge, Open};
 
@@ -25,7 +25,7 @@ impl Judge for Prover {
             Goal::Nonzero(p, domain) if domain.premises.is_empty() => match zero_free(p, domain, budget) {
                 ZeroFree::Proved(shown) => {
                     let alternative = alternatives.iter().position(|s| s == shown.proof.statement());
-                    Ground::alone(alternative.unwrap_or_default(), shown.proof)
+                    Ground::Alone { alternative: alternative.unwrap_or_default(), proof: shown.proof }
                 }
                 ZeroFree::Zero(point) => return Err(Open::Fails(point)),
                 ZeroFree::Undecided(left) => return Err(Open::Undecided(left)),
@@ -37,13 +37,10 @@ impl Judge for Prover {
     }
 }
 
-/// What is left where nothing is found.
-const NOT_DERIVED: &str = "it could not be derived from what is assumed";
-
 /// A statement.
 fn holds(statement: &Statement, budget: u32) -> Result<Ground, Open> {
     let left = match decide(statement.clone(), &Symmetries::new(), budget) {
-        Ok(shown) => return Ok(Ground::alone(0, shown.proof)),
+        Ok(shown) => return Ok(Ground::Alone { alternative: 0, proof: shown.proof }),
         Err(Failure::Refuted(found)) => return Err(Open::Fails(found.point)),
         Err(Failure::Undecided(left)) => left,
     };
@@ -51,7 +48,7 @@ fn holds(statement: &Statement, budget: u32) -> Result<Ground, Open> {
         return Err(Open::Undecided(left));
     }
     if let Some((way, proofs)) = premises::proved(statement, budget) {
-        return Ok(Ground { alternative: 0, way: Some(way), proofs });
+        return Ok(Ground::Derived { alternative: 0, way, proofs });
     }
     Err(match working(budget, &mut |work| premises::counterexample(statement, work)) {
         Some(found) => Open::Fails(found.point),
@@ -71,7 +68,7 @@ fn nonzero_where_assumed(
     let is_negative = start.as_ref().is_some_and(|point| p.eval(point).is_negative());
     for alternative in [usize::from(is_negative), 2] {
         match decide(alternatives[alternative].clone(), &Symmetries::new(), budget) {
-            Ok(shown) => return Ok(Ground::alone(alternative, shown.proof)),
+            Ok(shown) => return Ok(Ground::Alone { alternative, proof: shown.proof }),
             // A point at which the square is not positive is a zero.
             Err(Failure::Refuted(found)) if alternative == 2 => return Err(Open::Fails(found.point)),
             Err(_) => {}
@@ -79,7 +76,7 @@ fn nonzero_where_assumed(
     }
     for alternative in [usize::from(is_negative), 2] {
         if let Some((way, proofs)) = premises::proved(&alternatives[alternative], budget) {
-            return Ok(Ground { alternative, way: Some(way), proofs });
+            return Ok(Ground::Derived { alternative, way, proofs });
         }
     }
     let counterexample = |statement: &Statement| {

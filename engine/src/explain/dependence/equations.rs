@@ -6,7 +6,7 @@ use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::rank::{Exceptional, ExceptionalSet};
 
 use super::super::shape_values;
-use super::{as_rational, describe_exception, relation};
+use super::{describe_exception, relation};
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::divisors::gcd::gcd;
 use crate::algebra::poly::{Poly, Var};
@@ -64,7 +64,7 @@ fn along(family: &Family, set: &ExceptionalSet) -> Option<Dependence> {
         return None;
     }
     let points: Vec<(&Exceptional, Vec<(Var, _)>)> =
-        set.exceptions.iter().filter_map(|e| Some((e, as_rational(&e.values)?))).listed();
+        set.exceptions.iter().filter_map(|e| Some((e, shape_values::as_rational(&e.values)?))).listed();
     let lies_on = |factor: &Poly, e: &Exceptional| {
         let values = points.iter().find(|(known, _)| *known == e).map(|(_, values)| values);
         let at = |values: &Vec<(Var, _)>| values.iter().fold(factor.clone(), |p, (var, x)| p.at(*var, x));

@@ -5,12 +5,13 @@ use basis_prover::collections::list::Listed;
 use basis_prover::{Failure, within_half};
 
 use super::independent::Squares;
+use super::premises::NOT_DERIVED;
 use super::proved::proved;
 use super::refuted::{refuted, refuted_alone, refuted_beside, refuted_next_to_ends, refuted_under_premises};
 #[cfg(any(test, feature = "rounding"))]
 use super::rounding;
 use super::witness::witness;
-use super::{Said, Saying, beside, independent, is_wider, positivity, premises, said, spans};
+use super::{Said, Saying, beside, independent, is_wider, positivity, premises, said};
 use crate::claim::{Claim, ClaimKind};
 use crate::model::Family;
 use crate::state::proofs::all;
@@ -27,14 +28,8 @@ const BESIDE: &str = "no proof was found by derivatives and by bounds for what s
 const WIDER: &str =
     "it is not seen from bounds for pi, exp, or for a variable beside its sine or exponential";
 
-/// What is left where a claim is false of more points than are assumed.
-const ASSUMED: &str = "it could not be derived from what is assumed";
-
-/// Decides a claim.
-pub(in crate::state) fn decide(family: &Family, claim: &Claim) -> Verdict {
-    if let ClaimKind::Spans(parts) = &claim.kind {
-        return spans::decide(family, claim, parts);
-    }
+/// Decides a claim about one span.
+pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     #[cfg(any(test, feature = "rounding"))]
     if let ClaimKind::Rounding(epsilons) = &claim.kind {
         return rounding::decide(family, epsilons);
@@ -42,9 +37,10 @@ pub(in crate::state) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if matches!(claim.kind, ClaimKind::TotallyPositive) {
         return positivity::decide(family, claim);
     }
-    if let Some(verdict) =
-        beside::proved_at_once(family, claim).or_else(|| refuted_beside(family, claim, true))
-    {
+    if let Some((shown, ways)) = beside::proved_at_once(family, claim) {
+        return proved(family, claim, shown, ways);
+    }
+    if let Some(verdict) = refuted_beside(family, claim, true) {
         return verdict;
     }
     let mut ways = Vec::new();
@@ -116,7 +112,7 @@ pub(in crate::state) fn decide(family: &Family, claim: &Claim) -> Verdict {
                 let verdict = refuted_under_premises(family, claim, &said.iter().listed());
                 let verdict = verdict.or_else(|| refuted_beside(family, claim, false));
                 let verdict = verdict.or_else(|| refuted_next_to_ends(family, claim));
-                return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
+                return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {NOT_DERIVED}")));
             }
             ClaimKind::Relation { .. } | ClaimKind::Nonnegative if beside.contains(&of) => {
                 match refuted_next_to_ends(family, claim) {

@@ -22,8 +22,9 @@ mod witness;
 use std::rc::Rc;
 
 use super::inequality::{self, compared_on};
-use super::verdict::Stated;
+use super::verdict::{Stated, Verdict};
 use basis_kernel::Statement;
+use basis_prover::Shown;
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
@@ -36,7 +37,6 @@ use basis_prover::collections::list::{Listed, Mapped};
 use independent::Squares;
 use positivity::{chebyshev, minors, wronskian};
 
-pub(super) use decide::decide;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
@@ -86,6 +86,9 @@ struct Said {
     piece: Piece,
 }
 
+/// Proofs of what is enough for a claim, each with its name, and the ways that lead to it.
+type ByWays = (Vec<(String, Shown)>, Vec<usize>);
+
 /// What is said of a claim.
 #[cfg_attr(not(feature = "angles"), allow(dead_code))] // there are no ways
 enum Saying<'w> {
@@ -119,6 +122,14 @@ enum Enough {
     All(Vec<(Stated, String)>),
     /// What no way to a proof says.
     Unknown,
+}
+
+/// Decides a claim, on each span if the family has several.
+pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
+    match &claim.kind {
+        ClaimKind::Spans(parts) => spans::decide(family, claim, parts),
+        _ => decide::decide(family, claim),
+    }
 }
 
 /// What a claim says, by the ways that are given; `None` when the budget of the family does not suffice to expand it.

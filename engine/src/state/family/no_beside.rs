@@ -6,7 +6,7 @@ use std::rc::Rc;
 use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::{Coordinate, Counterexample};
 
-use super::{Enough, Said, Saying, Where};
+use super::{ByWays, Enough, Said, Saying, Where};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Region;
@@ -14,7 +14,6 @@ use crate::algebra::rational::Rational;
 use crate::claim::{Claim, Comparison};
 use crate::model::Family;
 use crate::model::chart::Piece;
-use crate::state::verdict::Verdict;
 
 pub(super) fn enough(
     _: &Family,
@@ -50,7 +49,7 @@ pub(super) fn refuted_whatever(
     None
 }
 
-pub(super) fn proved_at_once(_: &Family, _: &Claim) -> Option<Verdict> {
+pub(super) fn proved_at_once(_: &Family, _: &Claim) -> Option<ByWays> {
     None
 }
 

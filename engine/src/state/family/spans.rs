@@ -66,7 +66,7 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
     let mut open = None;
     for part in parts {
         let Some((piece, claim)) = on_span(family, claim, part) else { continue };
-        match super::decide(piece, &claim) {
+        match super::decide::decide(piece, &claim) {
             Verdict::Proved(evidence) => {
                 ways.extend_from_slice(evidence.ways());
                 let (method, proofs) = evidence.into_parts();

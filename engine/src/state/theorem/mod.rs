@@ -15,7 +15,8 @@ use basis_prover::{
     Coordinate, Counterexample, Failure, Shown, Symmetries, decide as decide_statement, typical, within_half,
 };
 
-use super::family::{on_part, premises};
+use super::family::on_part;
+use super::family::premises::{self, NOT_DERIVED};
 use super::inequality::{self, Said, compared};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict};
@@ -303,9 +304,8 @@ fn equation(theorem: &Theorem, claim: &Claim) -> Verdict {
 /// An inequality that is not derived from premises that are no part of a box: a point at which they hold and it fails, of
 /// the coordinates of points, too.
 fn under_premises(theorem: &Theorem, claim: &Claim, stated: &[Stated]) -> Verdict {
-    const OPEN: &str = "it could not be derived from what is assumed";
     let ClaimKind::Scalar { comparison, .. } = &claim.kind else {
-        return Verdict::Undecided(String::from(OPEN));
+        return Verdict::Undecided(String::from(NOT_DERIVED));
     };
     let kind = settled(theorem, &claim.kind);
     let vague = theorem.products.iter().any(|(var, _)| kind.depends_on(*var));
@@ -328,7 +328,7 @@ fn under_premises(theorem: &Theorem, claim: &Claim, stated: &[Stated]) -> Verdic
     };
     found.unwrap_or_else(|| {
         let of = stated.first().map_or("", |s| s.of.as_str());
-        Verdict::Undecided(format!("`{of}`: {OPEN}"))
+        Verdict::Undecided(format!("`{of}`: {NOT_DERIVED}"))
     })
 }
 

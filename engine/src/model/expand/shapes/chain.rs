@@ -175,9 +175,11 @@ fn one(
                     low: hull(&parts, decl, k, false, shapes),
                     high: hull(&parts, decl, k, true, shapes),
                 };
-                let range = match range.finite() {
+                let crossing =
+                    if range.is_empty() { crossing(&parts, k, &range, shapes, &texts) } else { None };
+                let range = match (range.finite(), crossing) {
                     // Of a chain, `2 < q < p <= 1`, the ends stand in one line.
-                    Some((a, b)) if a > b && parts.len() > 3 => {
+                    (Some((a, b)), _) if a > b && parts.len() > 3 => {
                         let error = scope.error(name.span, format!("the range of `{}` is empty", name.text));
                         let label = format!("{a} is above {b}");
                         scope.report(
@@ -185,8 +187,7 @@ fn one(
                         );
                         None
                     }
-                    Some(_) if range.is_empty() && crossing(&parts, k, &range, shapes, &texts).is_some() => {
-                        let label = crossing(&parts, k, &range, shapes, &texts).unwrap_or_default();
+                    (Some(_), Some(label)) => {
                         let error = scope.error(name.span, format!("the range of `{}` is empty", name.text));
                         scope.report(
                             error.label(label).help("choose ends between which there are values, here or where the other parameter is declared"),

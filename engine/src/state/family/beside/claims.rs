@@ -18,13 +18,12 @@ use crate::model::angle::enclosure::{Anchor, From, row_without};
 use crate::model::angle::tangents::has_ends;
 use crate::model::angle::{Angle, Kind};
 use crate::model::chart::Piece;
-use crate::state::family::proved::proved;
 use crate::state::family::{
-    Enough, Said, Saying, Where, is_wider, premises, said, statements, without_numbers,
+    ByWays, Enough, Said, Saying, Where, is_wider, premises, said, statements, without_numbers,
 };
 use crate::state::inequality::compared_on;
 use crate::state::proofs::all;
-use crate::state::verdict::{Stated, Verdict};
+use crate::state::verdict::Stated;
 
 /// What is enough for a comparison.
 pub(in crate::state::family) fn enough<'f>(
@@ -216,9 +215,9 @@ pub(in crate::state::family) fn refuted_whatever(
 /// The work for a proof that is tried before counterexamples are searched.
 const AT_ONCE: u64 = 4_000_000;
 
-/// A claim in which an angle stands beside its sine, if the way that is tried first leads to a proof. It takes less
-/// time than the search for a counterexample, which most claims do not have.
-pub(in crate::state::family) fn proved_at_once(family: &Family, claim: &Claim) -> Option<Verdict> {
+/// The proofs of a claim in which an angle stands beside its sine, and the ways to them, if the way that is tried first leads to
+/// them. It takes less time than the search for a counterexample, which most claims do not have.
+pub(in crate::state::family) fn proved_at_once(family: &Family, claim: &Claim) -> Option<ByWays> {
     if family.analytic.is_empty() {
         return None;
     }
@@ -240,7 +239,7 @@ pub(in crate::state::family) fn proved_at_once(family: &Family, claim: &Claim) -
     }
     let mut stated = Some(stated);
     let shown = within(AT_ONCE, &mut || all(stated.take()?, family.budget).ok())?;
-    Some(proved(family, claim, shown, ways))
+    Some((shown, ways))
 }
 
 /// The rows with all numbers between their bounds in place of parameters beside their sines; `None` where there is no such

@@ -1,13 +1,12 @@
 //! Independence as an inequality, for the sum of the squares of the maximal minors.
 
 use basis_kernel::{Domain, Relation, Statement, Values};
-use basis_prover::collections::list::Listed;
+use basis_prover::collections::list::{Listed, Mapped};
 use std::rc::Rc;
 
 use super::super::positivity::minors::determinant;
 use super::super::premises::{self, Positive};
 use super::super::{Said, on_part};
-use super::witness::exception_text;
 use super::{SQUARES, Table, pulled_back, table};
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::fraction::Fraction;
@@ -114,6 +113,15 @@ pub(in crate::state::family) fn by_squares(
 /// What is evaluated at an exception, where it has to be 0.
 pub(super) fn at_exception(family: &Family, values: &Values) -> String {
     format!("{SQUARES} at {}", exception_text(family, values))
+}
+
+/// An exception as it is written, `p = 1`, of several values with brackets.
+pub(super) fn exception_text(family: &Family, values: &[(Var, Rational)]) -> String {
+    let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
+    match &parts[..] {
+        [only] => only.clone(),
+        several => format!("({})", several.join(", ")),
+    }
 }
 
 /// The square of the distance from values of some variables, which is positive at all other points.

@@ -6,7 +6,7 @@ use basis_prover::{Coordinate, Counterexample};
 
 use super::super::point::{domain_names, named_point};
 use super::apart::{APART, with_multiples};
-use super::squares::at_exception;
+use super::squares::{at_exception, exception_text};
 use super::{COEFFICIENTS, SQUARES, pulled_back};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
@@ -15,15 +15,6 @@ use crate::algebra::univariate::Univariate;
 use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
 use crate::state::verdict::Witness;
-
-/// An exception as it is written, `p = 1`, of several values with brackets.
-pub(super) fn exception_text(family: &Family, values: &[(Var, Rational)]) -> String {
-    let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
-    match &parts[..] {
-        [only] => only.clone(),
-        several => format!("({})", several.join(", ")),
-    }
-}
 
 /// The combination of the functions that vanishes at a point, or the exception at which they are independent.
 pub(in crate::state::family) fn witness(

@@ -35,15 +35,18 @@ use std::rc::Rc;
 
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
-use crate::algebra::range::Range;
+use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 pub(crate) use points::inside;
-use points::{ranges, sample, values};
+use points::{counts, ranges, sample, values};
 pub(super) use positive::Positive;
 pub(in crate::state) use search::counterexample;
 
 /// Sums of more terms are not squared.
 const MAX_SQUARED: usize = 12;
+
+/// What is left where nothing is found, although a claim is false of more points than are assumed.
+pub(in crate::state) const NOT_DERIVED: &str = "it could not be derived from what is assumed";
 
 /// Ways after the first one that are tried, at most.
 const MAX_TRIED: usize = 16;
@@ -198,9 +201,8 @@ impl Seen {
 
     /// Whether a value does not have a sign where the premises of a domain hold: then no way leads to a proof.
     fn refutes(&self, relation: Relation, domain: &Domain) -> bool {
-        let counts = |point: &[Rational]| domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point)));
         let mut all = self.points.iter().zip(&self.values);
-        all.any(|(point, value)| value.as_ref().is_some_and(|x| !relation.holds(x)) && counts(point))
+        all.any(|(point, value)| value.as_ref().is_some_and(|x| !relation.holds(x)) && counts(domain, point))
     }
 }
 
@@ -209,6 +211,32 @@ impl Sign<'_> {
     fn plain(&self) -> Statement {
         let (value, relation) = (self.value.clone(), self.relation);
         Statement::Sign { value, relation, domain: without_premises(self.domain) }
+    }
+
+    /// The same, if a number or the values at some points do not contradict it.
+    fn if_seen(&self) -> Option<Statement> {
+        let is_seen = match self.value.numerator.as_constant() {
+            Some(c) if self.value.denominator.is_one() => self.relation.holds(&c),
+            _ => !Seen::new(&self.value, self.domain)?.fails(self.relation),
+        };
+        is_seen.then(|| self.plain())
+    }
+
+    /// The rest on a narrower box, where these statements say that the premises fail elsewhere.
+    fn on_narrower(
+        &self,
+        region: Region,
+        elsewhere: &[Statement],
+        depth: usize,
+        accept: &mut Accept<'_>,
+    ) -> bool {
+        if elsewhere.is_empty() {
+            return false;
+        }
+        let domain = Domain { region, ..self.domain.clone() };
+        let rest = Sign { value: self.value.clone(), relation: self.relation, domain: &domain };
+        let Some(seen) = Seen::new(&rest.value, &domain) else { return false };
+        rest.enough(&seen, depth, &mut |rest| accept([elsewhere, &rest].concat()))
     }
 
     /// Statements about the whole box from which it follows, by one way after the other, until one will do.
@@ -397,14 +425,10 @@ impl Sign<'_> {
     fn positive(&self, v: Var) -> Option<Vec<Statement>> {
         let sign =
             |value: Poly| Sign { value: value.into(), relation: Relation::Positive, domain: self.domain };
-        let negative_at_zero = self.domain.premises.iter().find_map(|(g, _)| {
-            let sign = sign(-&g.at(v, &Rational::ZERO));
-            let is_negative = match sign.value.numerator.as_constant() {
-                Some(c) => c.is_positive(),
-                None => !Seen::new(&sign.value, self.domain)?.fails(sign.relation),
-            };
-            is_negative.then(|| vec![sign.plain()])
-        });
+        let premises = self.domain.premises.iter();
+        let negative_at_zero =
+            premises.into_iter().find_map(|(g, _)| sign(-&g.at(v, &Rational::ZERO)).if_seen());
+        let negative_at_zero = negative_at_zero.map(|negative| vec![negative]);
         negative_at_zero.or_else(|| first(&mut |accept| sign(Poly::var(v)).by_any_number(accept)))
     }
 
@@ -513,7 +537,6 @@ fn divided(f: &Poly, g: &Poly) -> Option<(Poly, Poly)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::range::Region;
     use crate::algebra::work::Work;
     use basis_prover::Coordinate;
 

@@ -79,13 +79,7 @@ impl Sign<'_> {
                 let fails = |(g, premise): &(Poly, Relation)| {
                     let g = Some(g).filter(|g| g.depends_on(*x))?;
                     let (value, relation) = (Quotient::from(-&g.at(*x, &at)), of_negative(*premise));
-                    let fails = Sign { value, relation, domain: self.domain };
-                    let seen = Seen::new(&fails.value, self.domain);
-                    let is_seen = match fails.value.numerator.as_constant() {
-                        Some(c) => relation.holds(&c),
-                        None => !seen?.fails(relation),
-                    };
-                    is_seen.then(|| fails.plain())
+                    Sign { value, relation, domain: self.domain }.if_seen()
                 };
                 if let Some(fails) = self.domain.premises.iter().find_map(fails) {
                     all.push(fails);
@@ -93,13 +87,7 @@ impl Sign<'_> {
                 }
             }
         }
-        if all.is_empty() {
-            return false;
-        }
-        let domain = Rc::new(Domain { region, ..self.domain.clone() });
-        let rest = Sign { value: self.value.clone(), relation: self.relation, domain: &domain };
-        let Some(seen) = Seen::new(&rest.value, &domain) else { return false };
-        rest.enough(&seen, depth, &mut |rest| accept([&all[..], &rest].concat()))
+        self.on_narrower(region, &all, depth, accept)
     }
 
     /// A strict inequality at an end of the range of a variable that no premise has, and beyond it: a multiple of a premise which
@@ -172,13 +160,7 @@ impl Sign<'_> {
                 if upper { own.high = End::Included(number) } else { own.low = End::Included(number) }
             }
         }
-        if all.is_empty() {
-            return false;
-        }
-        let domain = Rc::new(Domain { region, ..self.domain.clone() });
-        let rest = Sign { value: self.value.clone(), relation: self.relation, domain: &domain };
-        let Some(seen) = Seen::new(&rest.value, &domain) else { return false };
-        rest.enough(&seen, depth, &mut |rest| accept([&all[..], &rest].concat()))
+        self.on_narrower(region, &all, depth, accept)
     }
 }
 

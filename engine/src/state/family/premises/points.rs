@@ -19,9 +19,13 @@ const MAX_TERMS: usize = 400;
 /// there are any.
 pub(crate) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<Rational>> {
     let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
-    let counts = |point: &Vec<Rational>| domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point)));
-    let points = sample(&p.clone().into(), domain)?.into_iter().filter(counts);
+    let points = sample(&p.clone().into(), domain)?.into_iter().filter(|point| counts(domain, point));
     points.max_by_key(|point| (!p.eval(point).is_zero(), room(point)))
+}
+
+/// Whether the premises hold at a point.
+pub(super) fn counts(domain: &Domain, point: &[Rational]) -> bool {
+    domain.premises.iter().all(|(g, relation)| relation.holds(&g.eval(point)))
 }
 
 /// The ranges of the variables that have one; of those of a simplex what surrounds it.

@@ -73,12 +73,10 @@ impl Sign<'_> {
             let zero = rest.scale(&-&factor.as_constant()?.recip()?);
             let fails = |(g, premise): &(Poly, Relation)| {
                 let relation = of_negative(*premise);
-                let sign =
-                    Sign { value: Quotient::from(-&g.substitute(x, &zero)), relation, domain: self.domain };
-                let fits = !Seen::new(&sign.value, self.domain)?.fails(relation);
-                fits.then(|| vec![sign.plain()])
+                let value = Quotient::from(-&g.substitute(x, &zero));
+                Sign { value, relation, domain: self.domain }.if_seen()
             };
-            self.domain.premises.iter().find_map(fails)
+            self.domain.premises.iter().find_map(fails).map(|fails| vec![fails])
         })
     }
 }

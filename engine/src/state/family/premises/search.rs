@@ -6,7 +6,7 @@ use basis_prover::{Coordinate, Counterexample, refute};
 use core::cmp::Ordering;
 use std::rc::Rc;
 
-use super::points::{all_ranges, directions, fits, sample, values};
+use super::points::{all_ranges, counts, directions, fits, sample, values};
 use super::touching;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::Range;
@@ -37,8 +37,7 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     }
     let points = sample(value, domain)?;
     let f = values(&value.numerator, &value.denominator, &points)?;
-    let counts =
-        |point: &Vec<Rational>| domain.premises.iter().all(|(g, relation)| relation.holds(&g.eval(point)));
+    let counts = |point: &[Rational]| counts(domain, point);
     // Of points with the same value the one that is farthest inside has the most room around it.
     let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
     let at = |point: &[Rational], work: &mut Work| {
@@ -141,7 +140,7 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
         }
     }
     if let Some(point) = far_away(&ranges, &|point| {
-        let fits = fits(domain, point) && counts(&point.to_vec());
+        let fits = fits(domain, point) && counts(point);
         let value = values(&value.numerator, &value.denominator, &[point.to_vec()]);
         fits && value.and_then(|mut all| all.pop()?).is_some_and(|f| !relation.holds(&f))
     }) {
