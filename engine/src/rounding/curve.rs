@@ -13,7 +13,7 @@ use crate::plan::evaluated::is_evaluated;
 use crate::plan::interval::form::RationalForm;
 use crate::steps::point::{Association, at_end, of_curve};
 
-/// Up to so many control points all choices of their signs are tried.
+/// The most control points of which all choices of signs are tried.
 const MOST_SIGNED: usize = 5;
 
 /// The bound in ε, relative to the largest |Pₖ|; `None` when nothing is found or the work is spent.

@@ -184,7 +184,7 @@ fn on_span(
     Some(Errors { relative, absolute })
 }
 
-/// So many u with what is of higher order: a product of factors that are off by S u in all is off by at most (1 + 3 S
+/// A number of u with what is of higher order: a product of factors that are off by S u in all is off by at most (1 + 3 S
 /// u) S u.
 fn with_higher(sum: &Rational) -> Option<Rational> {
     Some(sum + &rest::of_product(sum)?)

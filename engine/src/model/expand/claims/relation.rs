@@ -116,7 +116,7 @@ fn ends_cross(scope: &mut Scope<'_>, relation: &Relation) -> Option<bool> {
     Some(crosses)
 }
 
-/// Whether a list is one of so many decimals with commas, `[0,5, 0,25]`: of twice as many whole numbers.
+/// Whether a list is one of `count` decimals with commas, `[0,5, 0,25]`: of twice as many whole numbers.
 fn is_of_decimals(list: &Expr, count: usize) -> bool {
     let is_whole = |e: &Expr| matches!(&e.kind, syntax::ExprKind::Number(x) if x.is_integer());
     matches!(&list.kind, syntax::ExprKind::List(all) if all.len() == 2 * count && all.iter().all(is_whole))
