@@ -309,6 +309,25 @@ impl Family {
     /// the shape parameters alone, or with the domain variables that stand for intervals. Those that are `first` depend
     /// on no others.
     pub fn pieces(&self, fixed: &[(Var, Fraction)], first: &[Var], shapes_only: bool) -> Vec<Piece> {
+        let whole = self.shapes_as_written(fixed, first);
+        let mut pieces = chart::pieces(&whole.ranges, &whole.premises);
+        if !shapes_only {
+            for piece in &mut pieces {
+                piece.ranges.extend(self.free_intervals(fixed));
+            }
+        }
+        pieces
+    }
+
+    /// The same points as one box, in which the conditions on shape parameters are premises.
+    pub(crate) fn box_as_written(&self, fixed: &[(Var, Fraction)]) -> Piece {
+        let mut whole = self.shapes_as_written(fixed, &[]);
+        whole.ranges.extend(self.free_intervals(fixed));
+        whole
+    }
+
+    /// The shape values in this way, those first that are `first`, with what depends on them.
+    fn shapes_as_written(&self, fixed: &[(Var, Fraction)], first: &[Var]) -> Piece {
         let free = |var: &Var| fixed.iter().all(|(v, _)| v != var);
         let mut ranges: Vec<(Var, Range)> = Vec::new();
         let rank = |p: &&Parameter| first.contains(&p.var);
@@ -322,14 +341,14 @@ impl Family {
             // The sign of a quotient is that of the product.
             value.map_or_else(|| p.clone(), |f| f.numer() * f.denom())
         };
-        let constraints = self.constraints.mapped(|c| (put(&c.value), c.relation));
-        let mut pieces = chart::pieces(&ranges, &constraints);
-        for p in self.intervals().filter(|p| !shapes_only && free(&p.var)) {
-            for piece in &mut pieces {
-                piece.ranges.push((p.var, p.range.clone()));
-            }
-        }
-        pieces
+        let premises = self.constraints.mapped(|c| (put(&c.value), c.relation));
+        Piece { premises, ..Piece::plain(ranges) }
+    }
+
+    /// The domain variables that stand for intervals, as far as they are not fixed.
+    fn free_intervals(&self, fixed: &[(Var, Fraction)]) -> impl Iterator<Item = (Var, Range)> {
+        let free = |p: &&Parameter| fixed.iter().all(|(v, _)| *v != p.var);
+        self.intervals().filter(free).map(|p| (p.var, p.range.clone()))
     }
 
     /// The family where a claim fixes shape parameters: without these, and with their values in the angles that depend on

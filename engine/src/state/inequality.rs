@@ -69,13 +69,21 @@ pub(super) fn compared_on(
 /// The points that a claim is about, in parts: the values of the shape parameters and the domain, without the variables
 /// that an `at` block fixes.
 pub(crate) fn parts(family: &Family, fixed: &[(Var, Fraction)]) -> Vec<(Piece, Rc<Domain>)> {
-    let whole = |piece: Piece| {
-        let mut domain = piece.domain();
-        let own = family.simplices.iter().filter_map(|s| simplex(&family.domain[s.places.clone()], fixed));
-        domain.simplices.extend(own);
-        (piece, Rc::new(domain))
-    };
+    let whole = |piece: Piece| with_simplices(family, fixed, piece);
     family.pieces(fixed, &[], false).into_iter().map(whole).listed()
+}
+
+/// The same as one box, of whose points those count that satisfy the conditions on shape parameters as these are written.
+pub(super) fn as_written(family: &Family, fixed: &[(Var, Fraction)]) -> Vec<(Piece, Rc<Domain>)> {
+    vec![with_simplices(family, fixed, family.box_as_written(fixed))]
+}
+
+/// A part of the points, with the simplices of the domain.
+fn with_simplices(family: &Family, fixed: &[(Var, Fraction)], piece: Piece) -> (Piece, Rc<Domain>) {
+    let mut domain = piece.domain();
+    let own = family.simplices.iter().filter_map(|s| simplex(&family.domain[s.places.clone()], fixed));
+    domain.simplices.extend(own);
+    (piece, Rc::new(domain))
 }
 
 /// What of a simplex is left when some coordinates are fixed.

@@ -66,7 +66,8 @@ impl Evidence {
     }
 
     /// For each comparison in which an angle or exponent stands beside its sine or exponential, and each one under assumptions, the
-    /// number of the way to statements that are enough for it, see [`statements`](super::statements).
+    /// number of the way to statements that are enough for it, see [`statements`](super::statements); where the claim is proved with other
+    /// conditions than it has, the number of these comes first.
     pub fn ways(&self) -> &[usize] {
         &self.ways
     }

@@ -3,6 +3,7 @@
 mod assumed;
 mod assumed_denominators;
 mod assumed_exceptions;
+mod assumed_otherwise;
 mod assumed_without_ends;
 mod beside;
 mod chebyshev;

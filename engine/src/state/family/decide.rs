@@ -4,6 +4,7 @@ use basis_kernel::{Statement, Values};
 use basis_prover::collections::list::Listed;
 use basis_prover::{Failure, within_half};
 
+use super::conditions::proved_with_others;
 use super::independent::Squares;
 use super::premises::NOT_DERIVED;
 use super::proved::proved;
@@ -30,6 +31,14 @@ const WIDER: &str =
 
 /// Decides a claim about one span.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
+    match decided(family, claim) {
+        Verdict::Undecided(left) => proved_with_others(family, claim).unwrap_or(Verdict::Undecided(left)),
+        verdict => verdict,
+    }
+}
+
+/// The same by proofs for the shape values that the claim is about.
+fn decided(family: &Family, claim: &Claim) -> Verdict {
     #[cfg(any(test, feature = "rounding"))]
     if let ClaimKind::Rounding(epsilons) = &claim.kind {
         return rounding::decide(family, epsilons);
@@ -139,20 +148,34 @@ fn proved_by_later_ways(family: &Family, claim: &Claim) -> Option<Verdict> {
 
 /// Whether functions are independent where what is assumed holds, by one inequality.
 fn decided_by_squares(family: &Family, claim: &Claim, except: &[Values]) -> Option<Verdict> {
+    let found = squares_proved(family, claim, except, &mut |s, _| premises::without(s));
+    if found.is_some() {
+        return found;
+    }
+    let plain = independent::by_squares(family, except, Squares::Plain, &mut premises::without)?;
+    refuted_under_premises(family, claim, &plain.iter().listed())
+        .or_else(|| squares_proved(family, claim, except, &mut premises::tried))
+}
+
+/// What is enough for a statement where something is assumed, by a way of which the number may be noted.
+type Away<'a> = dyn FnMut(&Statement, &mut Vec<usize>) -> Option<Vec<Statement>> + 'a;
+
+/// The proof of one of these inequalities by some ways away from what is assumed, which are noted.
+fn squares_proved(family: &Family, claim: &Claim, except: &[Values], away: &mut Away<'_>) -> Option<Verdict> {
     let mut tried = Vec::new();
     for (of, way) in independent::BY_SQUARES.into_iter().zip(1..) {
-        let enough =
-            independent::by_squares(family, except, of)?.into_iter().map(|said| said.stated).listed();
-        let statements = enough.iter().map(|stated| stated.statement.clone()).listed();
+        let mut ways = vec![way];
+        let enough = independent::by_squares(family, except, of, &mut |s| away(s, &mut ways))?;
+        let stated = enough.into_iter().map(|said| said.stated).listed();
+        let statements = stated.iter().map(|stated| stated.statement.clone()).listed();
         if core::mem::replace(&mut tried, statements.clone()) == statements {
             continue;
         }
-        if let Ok(shown) = all(enough, family.budget) {
-            return Some(proved(family, claim, shown, vec![way]));
+        if let Ok(shown) = all(stated, family.budget) {
+            return Some(proved(family, claim, shown, ways));
         }
     }
-    let plain = independent::by_squares(family, except, Squares::Plain)?;
-    refuted_under_premises(family, claim, &plain.iter().listed())
+    None
 }
 
 /// That functions are dependent whatever the numbers are that occur in them.

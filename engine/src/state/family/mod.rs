@@ -5,6 +5,7 @@ mod beside;
 #[cfg(not(feature = "angles"))]
 #[path = "no_beside.rs"]
 mod beside;
+mod conditions;
 mod decide;
 mod identity;
 mod independent;
@@ -23,7 +24,7 @@ use std::rc::Rc;
 
 use super::inequality::{self, compared_on};
 use super::verdict::{Stated, Verdict};
-use basis_kernel::Statement;
+use basis_kernel::{Domain, Statement};
 use basis_prover::Shown;
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
@@ -153,7 +154,10 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
     if let ClaimKind::Independent(except) = &claim.kind
         && all.iter().any(|said| !said.piece.is_exact())
     {
-        all.extend(independent::by_squares(family, except, Squares::Plain).unwrap_or_default());
+        all.extend(
+            independent::by_squares(family, except, Squares::Plain, &mut premises::without)
+                .unwrap_or_default(),
+        );
     }
     if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty()) {
         all.extend(independent::apart(family));
@@ -173,6 +177,9 @@ fn by_wronskians(kind: &ClaimKind, ways: &[usize]) -> bool {
     matches!(kind, ClaimKind::TotallyPositive) && ways.first() == Some(&wronskian::BY_WRONSKIANS)
 }
 
+/// Parts of the points of a family, where variables are fixed.
+type Parts = dyn Fn(&Family, &[(Var, Fraction)]) -> Vec<(Piece, Rc<Domain>)>;
+
 /// What a claim says of each part of the points.
 fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<Said>> {
     let kind = &claim.kind;
@@ -180,13 +187,24 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
         return Some(spans::statements(family, claim, parts, saying)?.into_iter().map(plain).listed());
     }
+    if let Saying::Enough(ways) = saying
+        && let Some(conditions) = conditions::next_of(ways)
+    {
+        return conditions::said_with(family, claim, conditions, saying);
+    }
+    said_of(family, claim, saying, &inequality::parts)
+}
+
+/// The same, of points in other parts than those of [`inequality::parts`] if it is about points.
+fn said_of(family: &Family, claim: &Claim, saying: &mut Saying<'_>, parts: &Parts) -> Option<Vec<Said>> {
+    let kind = &claim.kind;
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         if let Saying::Enough(ways) = saying
             && let Some(way) = ways.next()
         {
             return match way.checked_sub(1).and_then(|k| independent::BY_SQUARES.get(k)) {
-                Some(of) => independent::by_squares(family, except, *of),
+                Some(of) => independent::by_squares(family, except, *of, &mut |s| premises::by_next(s, ways)),
                 None => independent::said(&beside::wider(family)?, except),
             };
         }
@@ -210,7 +228,7 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
     if is_total && !plainly && !by_wronskians && !chebyshev::is_mixed(family) {
         return basis_prover::working(family.budget, &mut |work| minors::said(family, work));
     }
-    let mut parts = inequality::parts(family, kind.fixed());
+    let mut parts = parts(family, kind.fixed());
     if let ClaimKind::Continuity(Joint { free, .. }) = kind {
         for (_, domain) in &mut parts {
             Rc::make_mut(domain).region.ranges.extend(free.iter().map(|p| (p.var, p.range.clone())));

@@ -1,5 +1,6 @@
 //! Verdicts from proofs.
 
+use basis_kernel::Statement;
 use basis_prover::{Method, Shown};
 
 use super::by_wronskians;
@@ -26,8 +27,10 @@ pub(super) fn proved(
 
 /// How a claim was proved, in a few words.
 fn method(family: &Family, kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
+    // An equation may follow from an inequality that is assumed.
     let equation = matches!(kind, ClaimKind::Relation { differences, .. }
-        if differences.iter().all(|(comparison, _)| *comparison == Comparison::Equal));
+        if differences.iter().all(|(comparison, _)| *comparison == Comparison::Equal))
+        && shown.iter().all(|(_, shown)| matches!(shown.proof.statement(), Statement::Zero { .. }));
     String::from(match kind {
         ClaimKind::PartitionOfUnity => "expansion of the sum",
         ClaimKind::Symmetric => "expansion of the moved functions",

@@ -10,7 +10,7 @@ use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind};
 use crate::model::Family;
 use crate::model::ends::reversed;
-use crate::state::verdict::{Evidence, Stated, Verdict};
+use crate::state::verdict::{Evidence, Stated, Verdict, Witness};
 use basis_kernel::Statement;
 use basis_prover::collections::list::Listed;
 
@@ -76,7 +76,7 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
             Verdict::Refuted(witness) => {
                 let stated = on(piece, witness.of_statement());
                 let mut witness = witness.about(&stated);
-                witness.notes.extend(side(family, part.0, &witness.point()));
+                say_span(family, part.0, &mut witness);
                 return Verdict::Refuted(Box::new(witness));
             }
             Verdict::Undecided(left) => open = open.or(Some(left)),
@@ -88,8 +88,21 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
     }
 }
 
-/// Which span is meant where a point is an inner knot, that of two spans.
-fn side(family: &Family, span: usize, point: &str) -> Option<String> {
+/// Says which span is meant: of an equation, which holds on others perhaps, and where the point is an inner knot, that of two spans.
+fn say_span(family: &Family, span: usize, witness: &mut Witness) {
+    let Some(piece) = family.pieces.get(span) else { return };
+    let here = on(piece, "");
+    let here = here.trim_start();
+    let is_equation = matches!(witness.refutation().statement(), Statement::Zero { .. });
+    if let (true, Some(first)) = (is_equation, witness.notes.first_mut()) {
+        *first = format!("{here}, {first}");
+    } else if is_inner_knot(family, span, &witness.point()) == Some(true) {
+        witness.notes.push(format!("there the functions are those {here}"));
+    }
+}
+
+/// Whether a point is an end of a span that is no end of the domain.
+fn is_inner_knot(family: &Family, span: usize, point: &str) -> Option<bool> {
     let piece = family.pieces.get(span)?;
     let own = piece.domain.first()?;
     let variable = piece.analytic.angle(own.var).map_or(&own.name, |angle| &angle.name);
@@ -97,8 +110,7 @@ fn side(family: &Family, span: usize, point: &str) -> Option<String> {
     let value = |name: &str| point.split(", ").find_map(|part| part.strip_prefix(name)?.strip_prefix(" = "));
     // A knot is a number or a shape parameter, and the point is written by its name or its value.
     let is_at = |end: &String| value(variable).is_some_and(|x| x == end || Some(x) == value(end));
-    let is_inner = span > 0 && is_at(&low) || span + 1 < family.pieces.len() && is_at(&high);
-    is_inner.then(|| format!("there the functions are those {}", on(piece, "").trim_start()))
+    Some(span > 0 && is_at(&low) || span + 1 < family.pieces.len() && is_at(&high))
 }
 
 /// At each inner knot the derivatives from both sides.

@@ -38,11 +38,12 @@ const MAX_SQUARES: usize = 6;
 
 /// Independence as an inequality: det(A·Aᵀ), the sum of the squares of the maximal minors of the table A, is > 0 where
 /// what is assumed holds and no exception is, and 0 at the exceptions. Where what is assumed is no part of a box it may decide what
-/// the table on the whole box does not. `None` for many functions, and for variables beside their sines.
+/// the table on the whole box does not; then the way away from what is assumed is given. `None` for many functions, and for variables beside their sines.
 pub(in crate::state::family) fn by_squares(
     family: &Family,
     except: &[Values],
     of: Squares,
+    away: &mut dyn FnMut(&Statement) -> Option<Vec<Statement>>,
 ) -> Option<Vec<Said>> {
     let Table { rows, .. } = table(family);
     let wide = |v: Var| {
@@ -74,19 +75,19 @@ pub(in crate::state::family) fn by_squares(
             determinant(gram, work)
         })?;
         let value = value.as_poly()?.clone();
-        let mut away = domain.clone();
+        let mut apart = domain.clone();
         for values in except {
             let own = match &pulled_back(values, piece)?[..] {
                 [] => continue,
                 [own] => own.clone(),
                 _ => return None,
             };
-            away.premises.push((squared_distance(&own), Relation::Positive));
+            apart.premises.push((squared_distance(&own), Relation::Positive));
             let (of, statement) = (at_exception(family, values), dependent_at(&value, &domain, &own));
             let stated = Stated::new(on_part(&of, number, pieces.len()), statement);
             all.push(Said { stated, of, piece: piece.clone() });
         }
-        let domain = Rc::new(away);
+        let domain = Rc::new(apart);
         let sign = |value: Poly| Statement::Sign {
             value: value.into(),
             relation: Relation::Positive,
@@ -100,11 +101,12 @@ pub(in crate::state::family) fn by_squares(
             }
             _ => vec![value],
         };
-        let enough = |p: &Poly| if of == Squares::Plain { None } else { premises::without(&sign(p.clone())) };
-        let statements = parts.into_iter().flat_map(|p| enough(&p).unwrap_or_else(|| vec![sign(p)])).listed();
-        for statement in statements {
-            let stated = Stated::new(on_part(SQUARES, number, pieces.len()), statement);
-            all.push(Said { stated, of: String::from(SQUARES), piece: piece.clone() });
+        for part in parts.into_iter().map(sign) {
+            let enough = if of == Squares::Plain { None } else { away(&part) };
+            for statement in enough.unwrap_or_else(|| vec![part]) {
+                let stated = Stated::new(on_part(SQUARES, number, pieces.len()), statement);
+                all.push(Said { stated, of: String::from(SQUARES), piece: piece.clone() });
+            }
         }
     }
     Some(all)

@@ -13,14 +13,19 @@
 //! Where d ≥ 0 follows from the premises, n/d has the sign of n. Where n is a positive number plus f ≥ 0, it is positive. A range has no end
 //! at which a premise fails; and f > 0 may be shown at an end of a range and beyond it apart, where m > 0 and g > 0 are enough.
 //!
+//! f = 0 if −f² ≥ 0.
+//!
 //! The premise is then no longer needed: f − c·m·g ≥ 0 is said of the whole box.
 //!
 //! There are many such ways, each of which leads to statements that are enough. The first one is the one that proves most
 //! claims; where it does not, [`tried`] finds another one, of which the number is part of the evidence.
 
+mod counterexample;
 mod ends;
+mod faces;
 mod multiple;
 mod narrower;
+mod numbered;
 mod points;
 mod positive;
 mod quotients;
@@ -30,17 +35,18 @@ mod touching;
 use basis_kernel::{Domain, Quotient, Relation, Statement};
 use basis_prover::collections::list::Listed;
 use basis_prover::collections::sort::sort;
-use basis_prover::{Proof, Symmetries, decide, within};
 use std::rc::Rc;
 
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
+pub(in crate::state) use counterexample::counterexample;
+pub(crate) use numbered::proved;
+pub(in crate::state) use numbered::{are_first, by, by_first, by_next, is_assumed, tried, without};
 pub(crate) use points::inside;
 use points::{counts, ranges, sample, values};
 pub(super) use positive::Positive;
-pub(in crate::state) use search::counterexample;
 
 /// Sums of more terms are not squared.
 const MAX_SQUARED: usize = 12;
@@ -48,100 +54,8 @@ const MAX_SQUARED: usize = 12;
 /// What is left where nothing is found, although a claim is false of more points than are assumed.
 pub(in crate::state) const NOT_DERIVED: &str = "it could not be derived from what is assumed";
 
-/// Ways after the first one that are tried, at most.
-const MAX_TRIED: usize = 16;
-
-/// The work for one of them.
-const TRIED: u64 = 4_000_000;
-
-/// The number of the first way; those of the others follow.
-const AWAY: usize = 100;
-
-/// Whether a statement about a sign has premises: then the way away from them has a number.
-pub(in crate::state) fn is_assumed(statement: &Statement) -> bool {
-    matches!(statement, Statement::Sign { domain, .. } if !domain.premises.is_empty())
-}
-
 /// Takes statements that are enough, and says whether they will do.
 type Accept<'a> = dyn FnMut(Vec<Statement>) -> bool + 'a;
-
-/// What is enough for a statement about a sign to hold where its premises do, by the first way; `None` if it does not need
-/// them, or seems to be false, or no multiple of a premise is found to help.
-pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>> {
-    by(statement, 0)
-}
-
-/// The same by the way with a number.
-pub(in crate::state) fn by(statement: &Statement, way: usize) -> Option<Vec<Statement>> {
-    if way > MAX_TRIED {
-        return None;
-    }
-    let mut found = None;
-    ways(statement, &mut |number, enough| {
-        if number == way {
-            found = Some(enough);
-        }
-        number >= way
-    });
-    found
-}
-
-/// Whether these are the numbers of first ways alone.
-pub(in crate::state) fn are_first(numbers: &[usize]) -> bool {
-    numbers.iter().all(|number| *number == AWAY)
-}
-
-/// The same, and the number of the way is noted.
-pub(in crate::state) fn by_first(statement: &Statement, noted: &mut Vec<usize>) -> Option<Vec<Statement>> {
-    if is_assumed(statement) {
-        noted.push(AWAY);
-    }
-    without(statement)
-}
-
-/// The same by the way that is the next one of some, if these have numbers of ways.
-pub(in crate::state) fn by_next(
-    statement: &Statement,
-    given: &mut core::slice::Iter<'_, usize>,
-) -> Option<Vec<Statement>> {
-    let next = given.as_slice().first().and_then(|number| number.checked_sub(AWAY));
-    let Some(way) = next.filter(|_| is_assumed(statement)) else { return without(statement) };
-    given.next();
-    by(statement, way)
-}
-
-/// The same by the first way that leads to a proof, of which the number is noted; where none does, by the first of all.
-pub(in crate::state) fn tried(statement: &Statement, noted: &mut Vec<usize>) -> Option<Vec<Statement>> {
-    let is_proved = |s: &Statement| decide(s.clone(), &Symmetries::new(), 1).is_ok();
-    let (mut first, mut found) = (None, None);
-    ways(statement, &mut |number, enough| {
-        if within(TRIED, &mut || enough.iter().all(is_proved)) {
-            found = Some((number, enough));
-            return true;
-        }
-        if number == 0 {
-            first = Some(enough);
-        }
-        number == MAX_TRIED
-    });
-    if is_assumed(statement) {
-        noted.push(AWAY + found.as_ref().map_or(0, |(number, _)| *number));
-    }
-    found.map_or(first, |(_, enough)| Some(enough))
-}
-
-/// The first way that leads to proofs, with these.
-pub(crate) fn proved(statement: &Statement, budget: u32) -> Option<(usize, Vec<Proof>)> {
-    let mut found = None;
-    ways(statement, &mut |number, enough| {
-        let proof =
-            |s: &Statement| decide(s.clone(), &Symmetries::new(), budget).ok().map(|shown| shown.proof);
-        let proofs = within(TRIED, &mut || enough.iter().map(proof).collect::<Option<Vec<Proof>>>());
-        found = proofs.map(|proofs| (number, proofs));
-        found.is_some() || number == MAX_TRIED
-    });
-    found
-}
 
 /// Statements that are enough, by one way after the other, each with its number, until one will do. They are numbered from 1 on
 /// where the statement itself, without its premises, seems to be true.

@@ -1,4 +1,4 @@
-//! Counterexamples to what is said under premises, among some points and downhill from the best of them.
+//! A search for counterexamples to what is said under premises, among some points and downhill from the best of them.
 
 use basis_kernel::{Domain, Quotient, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -6,8 +6,8 @@ use basis_prover::{Coordinate, Counterexample, refute};
 use core::cmp::Ordering;
 use std::rc::Rc;
 
+use super::numbered::no_square;
 use super::points::{all_ranges, counts, directions, fits, sample, values};
-use super::touching;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
@@ -22,8 +22,16 @@ const STARTS: usize = 4;
 /// How much a way along a border turns inwards, in units of its length.
 const TURNS: [i64; 4] = [0, 1, 4, 16];
 
-/// A counterexample to an equation, or to a statement about a sign, under premises, among some points.
-pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -> Option<Counterexample> {
+/// What a search comes to.
+pub(super) enum Search {
+    Found(Box<Counterexample>),
+    /// No point at which a sign is another one; the one with the lowest value.
+    Lowest(Vec<Rational>),
+}
+
+/// A counterexample among some points, and downhill from some of them; `None` where there are no points, and of an equation.
+pub(super) fn among_points(statement: &Statement, work: &mut Work) -> Option<Search> {
+    let found = |found: Option<Counterexample>| found.map(|found| Search::Found(Box::new(found)));
     let (value, relation, domain) = match statement {
         Statement::Sign { value, relation, domain } => (value, Some(relation), domain),
         Statement::Zero { value, domain } => (value, None, domain),
@@ -33,7 +41,7 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
         return None;
     }
     if all_ranges(value, domain).is_empty() {
-        return refute(&Rc::new(statement.clone()), &[], work);
+        return found(refute(&Rc::new(statement.clone()), &[], work));
     }
     let points = sample(value, domain)?;
     let f = values(&value.numerator, &value.denominator, &points)?;
@@ -48,7 +56,12 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     let Some(relation) = relation else {
         let differs = points.iter().zip(f).filter(|(_, f)| f.as_ref().is_some_and(|f| !f.is_zero()));
         let inside = differs.map(|(point, _)| point).filter(|point| counts(point));
-        return at(inside.max_by_key(|point| room(point))?, work);
+        if let Some(point) = inside.max_by_key(|point| room(point)) {
+            return found(at(point, work));
+        }
+        // From a point at which it holds to those beside it.
+        let Search::Found(beside) = among_points(&no_square(statement)?, work)? else { return None };
+        return found(refute(&Rc::new(statement.clone()), &beside.point, work));
     };
     let mut best: Option<(Vec<Rational>, Rational)> = None;
     for (point, f) in points.iter().zip(&f) {
@@ -126,17 +139,17 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
     if some.len() < all.len() {
         let (holds, point) = downhill(first.clone(), &some)?;
         if !holds {
-            return at(&point, work);
+            return found(at(&point, work));
         }
     }
     let (holds, lowest) = downhill(first, &all)?;
     if !holds {
-        return at(&lowest, work);
+        return found(at(&lowest, work));
     }
     for start in others {
         let (holds, point) = downhill(start, &all)?;
         if !holds {
-            return at(&point, work);
+            return found(at(&point, work));
         }
     }
     if let Some(point) = far_away(&ranges, &|point| {
@@ -144,9 +157,9 @@ pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -
         let value = values(&value.numerator, &value.denominator, &[point.to_vec()]);
         fits && value.and_then(|mut all| all.pop()?).is_some_and(|f| !relation.holds(&f))
     }) {
-        return at(&point, work);
+        return found(at(&point, work));
     }
-    touching::counterexample(&Rc::new(statement.clone()), &ranges, &lowest, work)
+    Some(Search::Lowest(lowest))
 }
 
 /// Distances from 0, or from the only end of a range, at which a function is looked at, by powers of two.

@@ -9,6 +9,7 @@ use basis_prover::collections::list::Listed;
 use basis_prover::{Coordinate, Counterexample, refute};
 use std::rc::Rc;
 
+use super::points::all_ranges;
 use crate::algebra::divisors::resultant::resultant;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
@@ -30,11 +31,11 @@ const MAX_DEGREE: u32 = 6;
 /// A counterexample to a strict inequality under premises next to a point of which the coordinates are given by variable.
 pub(super) fn counterexample(
     statement: &Rc<Statement>,
-    ranges: &[(Var, Range)],
     near: &[Rational],
     work: &mut Work,
 ) -> Option<Counterexample> {
     let Statement::Sign { value, relation: Relation::Positive, domain } = &**statement else { return None };
+    let ranges = all_ranges(value, domain);
     let f = &value.numerator;
     for (g, relation) in &domain.premises {
         let own = g.variables();
@@ -88,16 +89,24 @@ pub(super) fn counterexample(
     None
 }
 
-/// The zeros of a polynomial in one variable next to a number of a range, each of a factor of the polynomial that is as short
-/// as it is found.
+/// The zeros of a polynomial in one variable next to a number of a range.
 fn zeros(p: &Poly, var: Var, range: &Range, near: &Rational, work: &mut Work) -> Option<Vec<Coordinate>> {
-    let p = Univariate::from_poly(p, var).filter(|p| !p.is_zero())?.square_free_part(work)?;
     let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
     let reach = &width * &Rational::new(NEAR.0, NEAR.1);
-    let (low, high) = (near - &reach, near + &reach);
+    zeros_between(p, var, [&(near - &reach), &(near + &reach)].map(Some), work)
+}
+
+/// Those between two numbers if there are any, each of a factor of the polynomial that is as short as it is found.
+pub(super) fn zeros_between(
+    p: &Poly,
+    var: Var,
+    [low, high]: [Option<&Rational>; 2],
+    work: &mut Work,
+) -> Option<Vec<Coordinate>> {
+    let p = Univariate::from_poly(p, var).filter(|p| !p.is_zero())?.square_free_part(work)?;
     let mut all = Vec::new();
     for factor in factors(&p, work)? {
-        for mut root in isolate(&factor, Some(&low), Some(&high), work)? {
+        for mut root in isolate(&factor, low, high, work)? {
             root.detect_rational(&factor, work)?;
             let coordinate = number(&factor, &root)?;
             all.push(coordinate.map_or_else(Coordinate::Algebraic, Coordinate::Rational));
