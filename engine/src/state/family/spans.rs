@@ -12,7 +12,7 @@ use crate::model::Family;
 use crate::model::ends::reversed;
 use crate::state::verdict::{Evidence, Stated, Verdict, Witness};
 use basis_kernel::Statement;
-use basis_prover::collections::list::Listed;
+use basis_prover::collections::list::{Listed, Mapped as _};
 
 /// What a statement is about, with its span.
 fn on(piece: &Family, of: &str) -> String {
@@ -76,7 +76,7 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
             Verdict::Refuted(witness) => {
                 let stated = on(piece, witness.of_statement());
                 let mut witness = witness.about(&stated);
-                say_span(family, part.0, &mut witness);
+                say_span(family, parts, part.0, &mut witness);
                 return Verdict::Refuted(Box::new(witness));
             }
             Verdict::Undecided(left) => open = open.or(Some(left)),
@@ -89,16 +89,27 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
 }
 
 /// Says which span is meant: of an equation, which holds on others perhaps, and where the point is an inner knot, that of two spans.
-fn say_span(family: &Family, span: usize, witness: &mut Witness) {
+fn say_span(family: &Family, parts: &[(usize, ClaimKind)], span: usize, witness: &mut Witness) {
     let Some(piece) = family.pieces.get(span) else { return };
     let here = on(piece, "");
     let here = here.trim_start();
     let is_equation = matches!(witness.refutation().statement(), Statement::Zero { .. });
-    if let (true, Some(first)) = (is_equation, witness.notes.first_mut()) {
+    if let (true, Some(first)) = (is_equation && !are_the_same(family, parts), witness.notes.first_mut()) {
         *first = format!("{here}, {first}");
     } else if is_inner_knot(family, span, &witness.point()) == Some(true) {
         witness.notes.push(format!("there the functions are those {here}"));
     }
+}
+
+/// Whether a claim says the same on all spans, as one about integrals does.
+fn are_the_same(family: &Family, parts: &[(usize, ClaimKind)]) -> bool {
+    let values = |kind: &ClaimKind| match kind {
+        ClaimKind::Relation { differences, .. } => Some(differences.mapped(|(_, d)| d.value.clone())),
+        _ => None,
+    };
+    let Some(first) = parts.first().and_then(|(_, kind)| values(kind)) else { return false };
+    let depends = |f: &Fraction| family.domain.iter().any(|p| f.depends_on(p.var));
+    !first.iter().any(depends) && parts.iter().all(|(_, kind)| values(kind).as_ref() == Some(&first))
 }
 
 /// Whether a point is an end of a span that is no end of the domain.
