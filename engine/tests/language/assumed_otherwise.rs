@@ -87,6 +87,40 @@ fn equations_that_an_inequality_says() {
     assert_eq!(found, ["=", "=", "=", "≠", "≠", "≠"]);
 }
 
+/// f ≥ 0 and f ≤ 0 by two assumptions.
+#[test]
+fn equations_that_two_inequalities_say() {
+    let found = marks(
+        "family Circle {
+            domain 0 <= t <= 1;
+            shape -1 <= a <= 1, -1 <= c <= 1;
+            assume a^2 + c^2 <= 1;
+            assume a^2 + c^2 >= 1;
+            b[0] = a*t;
+            b[1] = c*t;
+            prove a^2 + c^2 = 1;
+            prove (1 - a)*(1 + a) = c^2;
+            prove a + c <= 3/2;
+            prove a*c <= 1/2;
+            refute a^2 = 1;
+            refute a + c = 1;
+            refute a + c <= 1;
+            refute a*c <= 0;
+        }
+        family Hyperbola {
+            domain 0 <= t <= 1;
+            shape 0 <= p, 0 <= q;
+            assume p*q >= 1;
+            assume p*q <= 1;
+            b[0] = p*t + q;
+            prove p*q = 1;
+            prove 1/p = q;
+            refute p = q;
+        }",
+    );
+    assert_eq!(found, ["=", "=", "=", "=", "≠", "≠", "≠", "≠", "=", "=", "≠"]);
+}
+
 /// Independence by a way that is not the first one from what is assumed; and functions that are dependent where k is at an end of its
 /// range only, and m is irrational.
 #[test]

@@ -22,6 +22,7 @@
 
 mod counterexample;
 mod ends;
+mod equalities;
 mod faces;
 mod multiple;
 mod narrower;

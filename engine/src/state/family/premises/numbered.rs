@@ -1,11 +1,12 @@
 //! Ways from what is assumed to statements that are enough, by their numbers: the first one, the one that is given, and the first one
 //! that leads to a proof.
 
-use basis_kernel::{Quotient, Relation, Statement};
+use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::{Proof, Symmetries, decide, within};
 use std::rc::Rc;
 
 use super::ways;
+use crate::algebra::poly::Poly;
 
 /// Ways after the first one that are tried, at most.
 const MAX_TRIED: usize = 16;
@@ -16,8 +17,11 @@ const TRIED: u64 = 4_000_000;
 /// The number of the first way; those of the others follow.
 const AWAY: usize = 100;
 
-/// The number of the first way to an equation.
-const TO_EQUATION: usize = 200;
+/// The number of the first way to an equation by a square.
+const BY_SQUARE: usize = 200;
+
+/// The number of the way to an equation by two inequalities, of which the numbers follow.
+const BY_BOTH: usize = 300;
 
 /// Whether a statement about a sign has premises: then the way away from them has a number.
 pub(in crate::state) fn is_assumed(statement: &Statement) -> bool {
@@ -64,11 +68,16 @@ pub(in crate::state) fn by_next(
     given: &mut core::slice::Iter<'_, usize>,
 ) -> Option<Vec<Statement>> {
     let next = given.as_slice().first().copied();
-    if let (Some(way), Some(square)) =
-        (next.and_then(|number| number.checked_sub(TO_EQUATION)), no_square(statement))
-    {
+    if let (Some(number @ BY_SQUARE..), Some(square)) = (next, no_square(statement)) {
         given.next();
-        return by(&square, way);
+        return match number.checked_sub(BY_BOTH) {
+            None => by(&square, number - BY_SQUARE),
+            Some(0) => {
+                let [above, below] = both(statement)?.map(|sign| by_next(&sign, given));
+                Some([above?, below?].concat())
+            }
+            Some(_) => None,
+        };
     }
     let next = next.and_then(|number| number.checked_sub(AWAY));
     let Some(way) = next.filter(|_| is_assumed(statement)) else { return without(statement) };
@@ -79,9 +88,14 @@ pub(in crate::state) fn by_next(
 /// The same by the first way that leads to a proof, of which the number is noted; where none does, by the first of all.
 pub(in crate::state) fn tried(statement: &Statement, noted: &mut Vec<usize>) -> Option<Vec<Statement>> {
     if let Some(square) = no_square(statement) {
-        let (number, enough) = first_proved(&square).1?;
-        noted.push(TO_EQUATION + number);
-        return Some(enough);
+        if let (_, Some((number, enough))) = first_proved(&square) {
+            noted.push(BY_SQUARE + number);
+            return Some(enough);
+        }
+        let [above, below] = both(statement)?.map(|sign| first_proved(&sign).1);
+        let ((first, above), (second, below)) = (above?, below?);
+        noted.extend([BY_BOTH, AWAY + first, AWAY + second]);
+        return Some([above, below].concat());
     }
     let (first, found) = first_proved(statement);
     if is_assumed(statement) {
@@ -112,14 +126,26 @@ fn first_proved(statement: &Statement) -> (Option<Vec<Statement>>, Option<Number
 
 /// Of an equation under premises: that the square of what is 0 is not positive.
 pub(super) fn no_square(statement: &Statement) -> Option<Statement> {
-    let Statement::Zero { value, domain } = statement else { return None };
-    let value = Quotient::from(-&value.numerator.pow(2));
-    let domain = Rc::clone(domain);
-    (!domain.premises.is_empty()).then_some(Statement::Sign {
-        value,
-        relation: Relation::NonNegative,
-        domain,
-    })
+    let (value, domain) = equation(statement)?;
+    Some(nonnegative(-&value.pow(2), domain))
+}
+
+/// Of an equation under premises: that what is 0 is not negative, and not positive.
+fn both(statement: &Statement) -> Option<[Statement; 2]> {
+    let (value, domain) = equation(statement)?;
+    Some([value.clone(), -value].map(|value| nonnegative(value, domain)))
+}
+
+/// What is 0 where premises hold; a denominator is 0 nowhere.
+fn equation(statement: &Statement) -> Option<(&Poly, &Rc<Domain>)> {
+    match statement {
+        Statement::Zero { value, domain } if !domain.premises.is_empty() => Some((&value.numerator, domain)),
+        _ => None,
+    }
+}
+
+fn nonnegative(value: Poly, domain: &Rc<Domain>) -> Statement {
+    Statement::Sign { value: value.into(), relation: Relation::NonNegative, domain: Rc::clone(domain) }
 }
 
 /// The first way that leads to proofs, with these.
