@@ -9,7 +9,9 @@ import esbuild from 'esbuild';
 import { minify } from 'terser';
 import { BUDGET } from './budget.mjs';
 import { renumbered } from './pack/locals.mjs';
-import { joined, sections } from './pack/module.mjs';
+import { HEADER, joined, sections } from './pack/module.mjs';
+import { divided } from './pack/parts.mjs';
+import { called, noting } from './pack/profile.mjs';
 import { silent } from './pack/traps.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
@@ -24,8 +26,8 @@ function compiled(name, command = ['build'], flags = []) {
   return silent(fs.readFileSync(path.join(target, 'wasm32-unknown-unknown', 'playground', `basis_${name}.wasm`)));
 }
 const wasm = renumbered(compact(compiled('playground')));
-// With vectors, which browsers have had since March 2023, it takes less time.
-const packing = compiled('packing', ['rustc', '--lib', '--crate-type', 'cdylib'], ['--', '-C', 'target-feature=+simd128']);
+// With vectors, which browsers have had since March 2023, it takes less time; with fewer functions inlined, as much and less room.
+const packing = compiled('packing', ['rustc', '--lib', '--crate-type', 'cdylib'], ['--', '-C', 'target-feature=+simd128', '-C', 'llvm-args=--inline-threshold=25']);
 
 /**
  * The same module in fewer bytes when packed. Of the passes only those that make it more alike in its parts: what -Oz does
@@ -57,23 +59,37 @@ function unpacking(bytes) {
   return smaller;
 }
 
-const DATA = 11;
-/** The engine without its data, and these with the script, as the page loads them. */
-async function packed(engine, script) {
-  const built = await esbuild.build({ entryPoints: [path.join(here, 'src', 'unpack.ts')], bundle: true, format: 'esm', write: false });
-  const { parts, turned, whole } = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
-  const way = async (name, bytes) => turned((await WebAssembly.instantiate(packing, {})).instance, name, bytes).slice();
-  const all = sections(engine);
-  const code = await way('packed', joined(all.filter(({ id }) => id !== DATA)));
-  const page = await way('packed', joined([...all.filter(({ id }) => id === DATA), { id: DATA, content: script }]));
-  const back = parts(await way('unpacked', page));
-  if (Buffer.compare(whole(await way('unpacked', code), back.data), engine) !== 0) throw new Error('what is unpacked is not the engine');
-  if (Buffer.compare(back.script, script) !== 0) throw new Error('what is unpacked is not the script');
-  return { code, page };
+const [CODE, DATA] = [10, 11];
+/** Sections, and what the page unpacks them with. */
+const content = (bytes, wanted) => sections(bytes).find(({ id }) => id === wanted).content;
+const built = await esbuild.build({ entryPoints: [path.join(here, 'src', 'unpack.ts')], bundle: true, format: 'esm', write: false });
+const unpack = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
+const packer = async () => (await WebAssembly.instantiate(packing, {})).instance;
+
+/** What stands between two parts where they are packed. */
+const BETWEEN = 255;
+/** The parts of the engine in few bytes. */
+async function packed(parts) {
+  const bytes = Buffer.concat(parts.flatMap((part, k) => (k ? [Uint8Array.of(BETWEEN), part] : [part])));
+  const small = unpack.turned(await packer(), 'packed', bytes);
+  const instance = await packer();
+  parts.forEach((part, k) => {
+    const back = k ? unpack.next(instance) : unpack.turned(instance, 'unpacked', small);
+    if (Buffer.compare(back, part) !== 0) throw new Error(`what is unpacked is not part ${k}`);
+  });
+  return small;
+}
+
+/** Fails where the parts are not the engine: the same code, and the same bytes in its memory. */
+async function same(engine, { first, data, later }) {
+  const all = new Uint8Array(await unpack.whole(unpack.joined(first, data), later).arrayBuffer());
+  if (Buffer.compare(content(all, CODE), content(engine, CODE)) !== 0) throw new Error('the parts are not the code of the engine');
+  const memory = async (bytes) => new Uint8Array((await WebAssembly.instantiate(bytes, {})).instance.exports.memory.buffer);
+  if (Buffer.compare(await memory(all), await memory(engine)) !== 0) throw new Error('the parts are not the data of the engine');
 }
 
 // The engine itself says what the library holds: words for the editor, verdicts for the list.
-const { instance } = await WebAssembly.instantiate(wasm, {});
+const { instance } = await WebAssembly.instantiate(noting(wasm), {});
 function ask(question) {
   const { alloc, answer, text, free, memory } = instance.exports;
   const bytes = new TextEncoder().encode(JSON.stringify(question));
@@ -85,6 +101,15 @@ function ask(question) {
   if (reply.error) throw new Error(reply.error);
   return reply;
 }
+
+/** The spec that the page begins with: what the first part of the engine is for. */
+const FIRST = 'quartic';
+const { items } = ask({ ask: 'open', text: ask({ ask: 'spec', name: FIRST }).text });
+while (ask({ ask: 'decide' }).more);
+ask({ ask: 'verdicts' });
+items.forEach((_, item) => ask({ ask: 'draw', item }));
+const early = called(instance);
+
 const library = ask({ ask: 'library' });
 /** What the comment of a file says first: of a paper its title, of other specs a sentence. */
 function title(name, text) {
@@ -108,7 +133,7 @@ for (const spec of library.specs) {
   }
 }
 fs.mkdirSync(path.join(here, 'src', 'generated'), { recursive: true });
-fs.writeFileSync(path.join(here, 'src', 'generated', 'catalogue.json'), JSON.stringify({ words: library.words, languages: library.languages, specs, papers }, null, 1));
+fs.writeFileSync(path.join(here, 'src', 'generated', 'catalogue.json'), JSON.stringify({ first: FIRST, words: library.words, languages: library.languages, specs, papers }, null, 1));
 
 fs.rmSync(dist, { recursive: true, force: true });
 fs.mkdirSync(dist);
@@ -127,9 +152,12 @@ const style = await esbuild.transform(fs.readFileSync(path.join(here, 'style.css
 fs.writeFileSync(path.join(dist, 'style.css'), style.code);
 fs.copyFileSync(path.join(here, 'index.html'), path.join(dist, 'index.html'));
 // By gzip, which servers and browsers do by themselves, they would be three quarters as large again.
-const { code, page } = await packed(wasm, main);
-fs.writeFileSync(path.join(dist, 'engine.packed'), code);
-fs.writeFileSync(path.join(dist, 'page.packed'), page);
+const texts = library.specs.filter(({ name }) => name !== FIRST).map(({ name }) => fs.readFileSync(path.join(root, 'specs', `${name}.basis`)));
+const parts = divided(wasm, early, texts);
+const script = joined([{ id: DATA, content: main }]).subarray(HEADER);
+await same(wasm, parts);
+fs.writeFileSync(path.join(dist, 'engine.packed'), await packed([parts.first, ...parts.later]));
+fs.writeFileSync(path.join(dist, 'page.packed'), await packed([unpack.joined(joined([]), unpack.joined(parts.data, script))]));
 fs.writeFileSync(path.join(dist, 'packing.wasm'), unpacking(packing));
 
 let all = 0;

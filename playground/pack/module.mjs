@@ -18,10 +18,26 @@ export function encoded(value) {
   return [...bytes, value];
 }
 
+/** A signed number of 32 bits at a place; the place after it. */
+export function signed(bytes, at) {
+  let value = 0;
+  let shift = 0;
+  let byte;
+  do {
+    byte = bytes[at++];
+    value |= (byte & 127) << shift;
+    shift += 7;
+  } while (byte > 127);
+  return [shift < 32 && byte & 64 ? value | (-1 << shift) : value, at];
+}
+
+/** Bytes of the header of a module. */
+export const HEADER = 8;
+
 /** The sections, each with its number and its content. */
 export function sections(bytes) {
   const all = [];
-  for (let at = 8; at < bytes.length;) {
+  for (let at = HEADER; at < bytes.length;) {
     const id = bytes[at];
     const [length, start] = unsigned(bytes, at + 1);
     all.push({ id, content: bytes.subarray(start, start + length) });
@@ -53,6 +69,33 @@ export function bodies(content) {
 export function code(all) {
   const parts = [Uint8Array.from(encoded(all.length))];
   for (const body of all) parts.push(Uint8Array.from(encoded(body.length)), body);
+  return Uint8Array.from(Buffer.concat(parts));
+}
+
+/** Where data lies in memory: address, length, and the bytes. */
+export function segments(content) {
+  let [count, at] = unsigned(content, 0);
+  const all = [];
+  for (; count > 0; count--) {
+    // Mode 0, `i32.const address`, end.
+    if (content[at] !== 0 || content[at + 1] !== 0x41) throw new Error('data at no fixed address');
+    const [address, end] = signed(content, at + 2);
+    const [length, start] = unsigned(content, end + 1);
+    all.push({ address, bytes: content.subarray(start, start + length) });
+    at = start + length;
+  }
+  return all;
+}
+
+/** A data section of what lies in memory. */
+export function data(all) {
+  const parts = [Uint8Array.from(encoded(all.length))];
+  for (const { address, bytes } of all) {
+    const bits = encoded(address);
+    // The sign is the second highest bit of the last byte.
+    if (bits.at(-1) & 64) bits.push(bits.pop() | 128, 0);
+    parts.push(Uint8Array.from([0, 0x41, ...bits, 0x0b, ...encoded(bytes.length)]), bytes);
+  }
   return Uint8Array.from(Buffer.concat(parts));
 }
 

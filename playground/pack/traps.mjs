@@ -1,6 +1,6 @@
 // What a panic would say is heard by nobody on the page: WebAssembly without imports can do no more than trap. All that leads
 // nowhere but to a trap is therefore the trap itself, and places in the source are zeros, which take no room when compressed.
-import { after, bodies, code, encoded, joined, sections, start, unsigned } from './module.mjs';
+import { after, bodies, code, joined, sections, segments, start, unsigned } from './module.mjs';
 
 const [UNREACHABLE, BLOCK, LOOP, IF, ELSE, END, BR, BR_IF, BR_TABLE, RETURN, CALL] =
   [0x00, 0x02, 0x03, 0x04, 0x05, 0x0b, 0x0c, 0x0d, 0x0e, 0x0f, 0x10];
@@ -80,26 +80,6 @@ function cut(body, returns) {
     at = next;
   }
   return { body: Uint8Array.from(Buffer.concat(out)), returns: live };
-}
-
-/** Where data lies in memory: address, length, and the bytes. */
-function segments(content) {
-  let [count, at] = unsigned(content, 0);
-  const all = [];
-  for (; count > 0; count--) {
-    // Mode 0, `i32.const address`, end.
-    if (content[at] !== 0 || content[at + 1] !== 0x41) throw new Error('data at no fixed address');
-    let address = 0;
-    at += 2;
-    for (let shift = 0, byte = 128; byte > 127; shift += 7) {
-      byte = content[at++];
-      address |= (byte & 127) << shift;
-    }
-    const [length, start] = unsigned(content, at + 1);
-    all.push({ address, bytes: content.subarray(start, start + length) });
-    at = start + length;
-  }
-  return all;
 }
 
 /** A place in the source as the compiler lays it out: address and length of the file's name, line, column. */

@@ -1,5 +1,5 @@
-// Starts the engine while the page itself is still being read, and unpacks the page's script beside it.
-import { fetched, parts, turned } from './unpack';
+// Starts the engine while the page itself is still being read, and unpacks its first data and the page's script beside it.
+import { contents, fetched, turned } from './unpack';
 
 const worker = new Worker('worker.js');
 
@@ -7,7 +7,7 @@ async function load(): Promise<void> {
   try {
     const [packing, packed] = await Promise.all(['packing.wasm', 'page.packed'].map(fetched));
     const { instance } = await WebAssembly.instantiate(packing!, {});
-    const { data, script } = parts(turned(instance, 'unpacked', new Uint8Array(packed!)));
+    const { data, script } = contents(turned(instance, 'unpacked', new Uint8Array(packed!)));
     worker.postMessage({ kind: 'data', data });
     Object.assign(globalThis, { basis: { worker, data } });
     const element = document.createElement('script');

@@ -60,7 +60,7 @@ export class Engine {
 
   private start(): void {
     this.ready = false;
-    // The first one was started by the page's first script, which unpacked the engine's data for all of them.
+    // The first one was started by the page's first script, which unpacked the engine's first data for all of them.
     const boot = (globalThis as unknown as { basis: { worker?: Worker; data: Uint8Array<ArrayBuffer> } }).basis;
     this.worker = boot.worker;
     delete boot.worker;

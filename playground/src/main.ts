@@ -10,7 +10,7 @@ import { isRefusal, type Claim, type Drawing, type Facts, type FunctionFacts, ty
 import { decode, encode, type State } from './share';
 import { Surfaces } from './surfaces';
 
-const FIRST = 'quartic';
+const FIRST = catalogue.first;
 const TABS = ['text', 'functions', 'plot', 'verdicts', 'code', 'library'] as const;
 type Tab = (typeof TABS)[number];
 

@@ -1,7 +1,8 @@
 // The engine beside the page: answers questions, and decides the claims of the open spec in slices in between, so that a
-// newer text stops the work on an older one.
+// newer text stops the work on an older one. The first part of the engine answers while the others are unpacked. Where it traps,
+// for it lacks a function or a text, the question is asked again when all is there.
 import type { Item, Question, Reply, Request, Verdicts } from './protocol';
-import { fetched, turned, whole } from './unpack';
+import { fetched, joined, last, next, turned, whole } from './unpack';
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -17,27 +18,32 @@ const SLICE = 25;
 const REPORT = 250;
 /** Milliseconds of deciding after which a spec is left as it is. */
 const LIMIT = 30_000;
+/** Questions besides texts that the first part of the engine answers; it is not asked others. */
+const EARLY: unknown[] = ['spec', 'draw'];
 
 const say = (reply: Reply): void => postMessage(reply);
-const channel = new MessageChannel();
+const deciding = new MessageChannel();
+const unpacking = new MessageChannel();
+/** The first part of the engine, and then all of it; nothing between a trap of the first part and then. */
 let engine: Exports | undefined;
-/** The engine's data, which the page unpacks. */
+let complete = false;
+/** The first data of the engine, which the page unpacks. */
 let bring: (data: Uint8Array<ArrayBuffer>) => void;
 const data = new Promise<Uint8Array<ArrayBuffer>>((resolve) => { bring = resolve; });
 let waiting: Question[] = [];
 /** Why there is no engine. */
 let broken = '';
+/** The text that is open. */
+let text: string | undefined;
 /** What is being decided. */
 let job: { version: number; spent: number; reported: number; decided: number } | undefined;
 
 // The handler stands before anything is awaited: what arrives meanwhile would be lost otherwise.
 onmessage = ({ data }: MessageEvent<Request>) => {
   if (data.kind === 'data') bring(data.data);
-  else if (broken) say({ kind: 'failed', message: broken });
-  else if (engine) handle(data);
-  else waiting.push(data);
+  else handle(data);
 };
-channel.port1.onmessage = slice;
+deciding.port1.onmessage = slice;
 
 function ask(question: Record<string, unknown>): any {
   if (!engine) throw new Error('the engine is not there');
@@ -51,6 +57,11 @@ function ask(question: Record<string, unknown>): any {
 }
 
 function handle(request: Question): void {
+  if (broken) return say({ kind: 'failed', message: broken });
+  if (!engine || (!complete && request.kind === 'ask' && !EARLY.includes(request.question['ask']))) {
+    waiting.push(request);
+    return;
+  }
   try {
     if (request.kind === 'ask') {
       say({ kind: 'answer', id: request.id, answer: ask(request.question) });
@@ -59,16 +70,28 @@ function handle(request: Question): void {
     job = undefined;
     const start = performance.now();
     const opened: { items: Item[]; claims: number } = ask({ ask: 'open', text: request.text });
+    text = request.text;
     job = { version: request.version, spent: performance.now() - start, reported: 0, decided: 0 };
     say({ kind: 'opened', version: request.version, ...opened });
     slice();
   } catch (error) {
-    say({ kind: 'failed', message: String(error) });
+    failed(error, request);
   }
 }
 
+/** A question that the first part could not answer waits for the others; another failure is the end. */
+function failed(error: unknown, request?: Question): void {
+  if (!complete && error instanceof WebAssembly.RuntimeError) {
+    engine = undefined;
+    if (request) waiting.push(request);
+    return;
+  }
+  job = undefined;
+  say({ kind: 'failed', message: String(error) });
+}
+
 function slice(): void {
-  if (!job) return;
+  if (!job || !engine) return;
   const start = performance.now();
   let more = true;
   try {
@@ -86,25 +109,48 @@ function slice(): void {
     } else {
       say({ kind: 'alive' });
     }
-    if (more && !stopped) channel.port2.postMessage(null);
+    if (more && !stopped) deciding.port2.postMessage(null);
     else job = undefined;
   } catch (error) {
-    job = undefined;
-    say({ kind: 'failed', message: String(error) });
+    failed(error);
   }
+}
+
+/** The first part of the engine or all of it, in the place and the state of the one before it; then what waited. */
+async function start(module: ArrayBuffer, all: boolean): Promise<void> {
+  const { instance } = await WebAssembly.instantiate(module, {});
+  // Not before: meanwhile the first part answers.
+  engine = instance.exports as unknown as Exports;
+  complete = all;
+  if (text !== undefined) ask({ ask: 'open', text });
+  const questions = waiting;
+  waiting = [];
+  questions.forEach(handle);
+  slice();
+}
+
+/** A turn of the loop of events, in which messages are answered. */
+function turn(): Promise<unknown> {
+  return new Promise((resolve) => {
+    unpacking.port1.onmessage = resolve;
+    unpacking.port2.postMessage(null);
+  });
 }
 
 async function load(): Promise<void> {
   try {
     const [packing, packed] = await Promise.all(['packing.wasm', 'engine.packed'].map(fetched));
-    const unpacker = await WebAssembly.instantiate(packing!, {});
-    const code = turned(unpacker.instance, 'unpacked', new Uint8Array(packed!));
-    const { instance } = await WebAssembly.instantiate(whole(code, await data), {});
-    engine = instance.exports as unknown as Exports;
+    const { instance } = await WebAssembly.instantiate(packing!, {});
+    const first = joined(turned(instance, 'unpacked', new Uint8Array(packed!)), await data);
+    await start(first.buffer, false);
     say({ kind: 'ready' });
-    const all = waiting;
-    waiting = [];
-    all.forEach(handle);
+    const later = [];
+    do {
+      await turn();
+      later.push(next(instance));
+      say({ kind: 'alive' });
+    } while (!last(later.at(-1)!));
+    await start(await whole(first, later).arrayBuffer(), true);
   } catch (error) {
     broken = String(error);
     say({ kind: 'failed', message: broken });

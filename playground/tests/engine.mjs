@@ -4,16 +4,21 @@ import { load } from './bundle.mjs';
 
 const dist = (name) => Uint8Array.from(fs.readFileSync(new URL(`../dist/${name}`, import.meta.url)));
 
-/** The module that the worker makes of the files. */
-export async function module() {
-  const { parts, turned, whole } = await load('unpack.ts');
-  const unpacked = async (name) => turned((await WebAssembly.instantiate(dist('packing.wasm'), {})).instance, 'unpacked', dist(name));
-  return whole(await unpacked('engine.packed'), parts(await unpacked('page.packed')).data);
+/** The parts that the worker unpacks, and the module that it makes of all of them. */
+export async function parts() {
+  const { contents, joined, last, next, turned, whole } = await load('unpack.ts');
+  const unpacking = async () => (await WebAssembly.instantiate(dist('packing.wasm'), {})).instance;
+  const { data } = contents(turned(await unpacking(), 'unpacked', dist('page.packed')));
+  const instance = await unpacking();
+  const first = joined(turned(instance, 'unpacked', dist('engine.packed')), data);
+  const later = [];
+  do later.push(next(instance)); while (!last(later.at(-1)));
+  return { first, whole: new Uint8Array(await whole(first, later).arrayBuffer()) };
 }
 
-/** What answers questions, as `playground/engine` lists them. */
-export async function engine() {
-  const { instance } = await WebAssembly.instantiate(await module(), {});
+/** What answers questions, as `playground/engine` lists them: all of the engine, or another module. */
+export async function engine(module) {
+  const { instance } = await WebAssembly.instantiate(module ?? (await parts()).whole, {});
   return (question) => {
     const { alloc, answer, text, free, memory } = instance.exports;
     const bytes = new TextEncoder().encode(JSON.stringify(question));

@@ -4,8 +4,11 @@ import { test } from 'node:test';
 import binaryen from 'binaryen';
 import { renumbered } from '../pack/locals.mjs';
 import { after as behind, bodies, sections, start } from '../pack/module.mjs';
+import { divided } from '../pack/parts.mjs';
+import { called, noting } from '../pack/profile.mjs';
 import { silent } from '../pack/traps.mjs';
-import { module } from './engine.mjs';
+import { load } from './bundle.mjs';
+import { engine, parts } from './engine.mjs';
 
 const instance = async (bytes) => (await WebAssembly.instantiate(bytes, {})).instance.exports;
 
@@ -96,6 +99,66 @@ test('instructions on vectors are gone through, with what belongs to them', asyn
   assert.equal(at, body.length);
 });
 
+const DIVIDED = `(module
+  (global (mut i32) (i32.const 0))
+  (memory (export "memory") 1)
+  (data (i32.const 64) "the name of a texta text that comes later\\00\\00\\00\\40\\00\\00\\00\\12\\00\\00\\00\\52\\00\\00\\00\\17\\00\\00\\00")
+  (func (export "early") (param i32) (result i32) (if (result i32) (local.get 0) (then (call $rare (local.get 0))) (else (i32.const 1))))
+  (func $rare (param i32) (result i32) (i32.mul (local.get 0) (i32.const 3)))
+  (func (export "never") (unreachable))
+  (func (export "letter") (param i32) (result i32) (i32.load8_u (i32.load (i32.add (i32.const 108) (local.get 0))))))`;
+
+test('a module in parts: the first one answers as the whole does, or traps', async () => {
+  const { joined, whole } = await load('unpack.ts');
+  const before = assembled(DIVIDED);
+  const { instance: noted } = await WebAssembly.instantiate(noting(before), {});
+  assert.equal(noted.exports.early(0), 1);
+  noted.exports.letter(0);
+  const numbers = called(noted);
+  assert.deepEqual([...numbers], [0, 3]);
+  assert.deepEqual([...called(noted)], []);
+  const { first: code, data, later } = divided(before, numbers, [Buffer.from('a text that comes later')]);
+  const first = joined(code, data);
+  const part = await instance(first);
+  assert.equal(part.early(0), 1);
+  assert.throws(() => part.early(5), WebAssembly.RuntimeError);
+  assert.equal(part.letter(0), 't'.charCodeAt());
+  assert.throws(() => part.letter(8), WebAssembly.RuntimeError);
+  const all = await instance(new Uint8Array(await whole(first, later).arrayBuffer()));
+  assert.deepEqual([all.early(0), all.early(5), all.letter(0), all.letter(8)].map(String), ['1', '15', '116', '97']);
+  assert.throws(() => all.never(), WebAssembly.RuntimeError);
+  assert.deepEqual(Buffer.from(all.memory.buffer), Buffer.from((await instance(before)).memory.buffer));
+});
+
+test('a text that code finds by itself cannot come later', () => {
+  const known = DIVIDED.replace('(i32.const 3)', '(i32.const 82)');
+  assert.throws(() => divided(assembled(known), new Set(), [Buffer.from('a text that comes later')]), /has the address 82/);
+  assert.throws(() => divided(assembled(DIVIDED), new Set(), [Buffer.from('another text')]), /does not hold/);
+  assert.throws(() => divided(assembled(DIVIDED), new Set(), [Buffer.from('name')]), /nothing leads to/);
+});
+
 test('the engine comes back from its file', async () => {
-  assert.equal(WebAssembly.validate(await module()), true);
+  const { first, whole } = await parts();
+  assert.equal(WebAssembly.validate(whole), true);
+  assert.ok(first.length < whole.length / 2, `${first.length} of ${whole.length} bytes`);
+});
+
+test('of the library, the first part answers as all of the engine does, or not at all', async () => {
+  const { first, whole } = await parts();
+  const all = await engine(whole);
+  let answered = 0;
+  for (const { name, text } of all({ ask: 'library' }).specs) {
+    const some = await engine(first);
+    for (const question of [{ ask: 'spec', name }, { ask: 'open', text }, { ask: 'decide' }, { ask: 'verdicts' }, { ask: 'draw', item: 0 }, { ask: 'facts', item: 0 }]) {
+      const expected = all(question);
+      try {
+        assert.deepEqual(some(question), expected, `${name}: ${question.ask}`);
+        answered += 1;
+      } catch (error) {
+        if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+        break;
+      }
+    }
+  }
+  assert.ok(answered >= 5, `${answered}`);
 });

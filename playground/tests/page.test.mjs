@@ -9,6 +9,7 @@ import { chromium } from 'playwright-core';
 import { BUDGET } from '../budget.mjs';
 import { serve } from '../serve.mjs';
 import { LAUNCH } from './browser.mjs';
+import { load } from './bundle.mjs';
 
 const dist = path.join(path.dirname(fileURLToPath(import.meta.url)), '..', 'dist');
 let server, address, browser;
@@ -82,6 +83,44 @@ test('the first spec is decided at once', async () => {
   const first = await page.evaluate(() => performance.getEntriesByName('first-verdict')[0].startTime);
   console.log(`first verdict ${first.toFixed(0)} ms after the page was asked for`);
   assert.ok(first < 4000, `${first} ms, on a busy machine`);
+  await page.context().close();
+});
+
+/** The fragment of a state. */
+async function link(state) {
+  const { encode } = await load('share.ts');
+  return `#${await encode(state)}`;
+}
+
+/** What only the whole engine knows, asked while no more than its first part is there. */
+const LATE = {
+  'a spec with functions that the first one does not call': [{ library: 'trigonometric/shape' }, 'path.function'],
+  'a spec that uses others': [{ text: 'use library "hermite"; family F { domain 0 <= t <= 1; b[0] = CubicHermite[0]; b[1] = CubicHermite[2]; prove partition_of_unity; }' }, 'path.function'],
+  'formulas': [{ library: 'quartic', tab: 'functions' }, '#panel-functions .formula math'],
+  'code': [{ library: 'quartic', tab: 'code' }, 'pre.code'],
+  'the library': [{ library: 'quartic', tab: 'library' }, '[data-spec]'],
+};
+
+for (const [name, [state, seen]] of Object.entries(LATE)) {
+  test(`asked at once: ${name}`, async () => {
+    const page = await open(await link(state));
+    await decided(page);
+    assert.equal(await page.getAttribute('#status', 'class'), 'right', await status(page));
+    await page.waitForSelector(seen, { timeout: 20_000 });
+    assert.equal(await page.locator('#panels .wrong:not(.verdict):visible').count(), 0);
+    await page.context().close();
+  });
+}
+
+test('what is typed before the whole engine is there is decided all the same', async () => {
+  const page = await open();
+  await page.waitForFunction(() => /family/.test(document.querySelector('.cm-content')?.textContent));
+  await paste(page, TENSION);
+  await page.waitForFunction(() => document.querySelector('#family').textContent === 'Tension');
+  await decided(page);
+  assert.match(await status(page), /^2 proved · 1 refuted/);
+  await page.click('#tab-functions');
+  await page.waitForFunction(() => document.querySelector('#panel-functions h2')?.textContent === 'Tension');
   await page.context().close();
 });
 

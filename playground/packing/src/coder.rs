@@ -9,15 +9,15 @@ use crate::mixing::Coder;
 const SETTLED: u32 = 1 << 24;
 
 /// Reads decisions.
-pub(crate) struct Reader<'a> {
-    input: &'a [u8],
+pub(crate) struct Reader {
+    input: Vec<u8>,
     at: usize,
     range: u32,
     code: u32,
 }
 
-impl<'a> Reader<'a> {
-    pub(crate) fn new(input: &'a [u8]) -> Reader<'a> {
+impl Reader {
+    pub(crate) fn new(input: Vec<u8>) -> Reader {
         let mut reader = Reader { input, at: 0, range: u32::MAX, code: 0 };
         for _ in 0..4 {
             reader.shift();
@@ -31,7 +31,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-impl Coder for Reader<'_> {
+impl Coder for Reader {
     const READS: bool = true;
 
     fn decide(&mut self, p: u32, _: bool) -> bool {

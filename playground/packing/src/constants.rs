@@ -5,7 +5,7 @@ use crate::mixing::Bytes;
 use crate::module::{CALL_HIGH, CALL_LOW, LENGTH, NUMBER, Walk};
 use crate::repetition::both;
 
-impl<B: Bytes> Walk<'_, B> {
+impl<B: Bytes> Walk<B> {
     /// A number of 32 bits: the number of its bytes, and these from the highest down. A number for it.
     pub(crate) fn constant(&mut self) -> Result<u32, Damaged> {
         let mut bytes = [0_u8; 5];

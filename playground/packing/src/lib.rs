@@ -14,6 +14,7 @@ mod mixing;
 mod module;
 #[cfg(target_family = "wasm")]
 mod page;
+mod refining;
 mod repetition;
 mod stack;
 mod tape;
@@ -25,11 +26,12 @@ use core::fmt;
 
 use coder::{Reader, Writer};
 use mixing::{Bytes, CONTEXTS, Mixer};
+pub use module::PART;
 use module::Walk;
 use tape::Tape;
 
 /// Kinds of bytes: each has its own tree of decisions and weights. The last one is for the trees themselves.
-const KINDS: usize = 20;
+const KINDS: usize = 21;
 const SHAPES: usize = KINDS - 1;
 
 /// What is packed is damaged, or ends too early; or what is to be packed is no module as the compiler of the engine
@@ -57,19 +59,20 @@ impl Bytes for Census {
     }
 }
 
-/// A module in few bytes.
+/// A module in few bytes, in one part or in several with [`PART`] between them.
 ///
 /// # Errors
 ///
 /// Where the module has instructions that the compiler of the engine does not write.
 pub fn pack(module: &[u8]) -> Result<Vec<u8>, Damaged> {
-    let mut census = Census(vec![[0; 256]; SHAPES]);
-    Walk::new(&mut census, Tape::new(module.to_vec())).module()?;
+    let mut walk = Walk::new(Census(vec![[0; 256]; SHAPES]), Tape::new(module.to_vec()));
+    walk.module()?;
+    let lengths: Vec<_> = walk.into_bytes().0.iter().map(tree::lengths).collect();
     let mut mixer = Mixer::new(Writer::new());
-    let lengths: Vec<_> = census.0.iter().map(tree::lengths).collect();
     mixer.shapes(Some(&lengths))?;
-    Walk::new(&mut mixer, Tape::new(module.to_vec())).module()?;
-    Ok(mixer.into_coder().finish())
+    let mut walk = Walk::new(mixer, Tape::new(module.to_vec()));
+    walk.module()?;
+    Ok(walk.into_bytes().into_coder().finish())
 }
 
 /// The module that was packed.
@@ -78,9 +81,46 @@ pub fn pack(module: &[u8]) -> Result<Vec<u8>, Damaged> {
 ///
 /// Where the bytes are damaged, unless they are another module.
 pub fn unpack(packed: &[u8]) -> Result<Vec<u8>, Damaged> {
-    let mut mixer = Mixer::new(Reader::new(packed));
-    mixer.shapes(None)?;
-    let mut walk = Walk::new(&mut mixer, Tape::new(Vec::new()));
-    walk.module()?;
-    Ok(walk.into_written())
+    let mut parts = Parts::new(packed.to_vec())?;
+    let mut module = Vec::new();
+    while let Some(part) = parts.next()? {
+        if !module.is_empty() {
+            module.push(PART);
+        }
+        module.extend(part);
+    }
+    Ok(module)
+}
+
+/// The parts of the module that was packed, one after the other: the first one is there long before the last one is.
+pub struct Parts {
+    walk: Walk<Mixer<Reader>>,
+    more: bool,
+}
+
+impl Parts {
+    /// # Errors
+    ///
+    /// Where the bytes are damaged at their beginning.
+    pub fn new(packed: Vec<u8>) -> Result<Parts, Damaged> {
+        let mut mixer = Mixer::new(Reader::new(packed));
+        mixer.shapes(None)?;
+        let mut walk = Walk::new(mixer, Tape::new(Vec::new()));
+        walk.header()?;
+        Ok(Parts { walk, more: true })
+    }
+
+    /// The next part, of which the first one begins with the header of the module; `None` after the last one.
+    ///
+    /// # Errors
+    ///
+    /// Where the bytes are damaged.
+    #[allow(clippy::should_implement_trait)] // an iterator would go on after an error
+    pub fn next(&mut self) -> Result<Option<Vec<u8>>, Damaged> {
+        if !self.more {
+            return Ok(None);
+        }
+        self.more = self.walk.part()?;
+        Ok(Some(self.walk.tape.take()))
+    }
 }

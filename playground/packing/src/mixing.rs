@@ -7,6 +7,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use crate::module::DATA;
+use crate::refining::Refining;
 use crate::repetition::SURE;
 use crate::tree::{self, Step, Tree};
 use crate::{Damaged, KINDS, SHAPES};
@@ -16,9 +18,11 @@ pub(crate) const CONTEXTS: usize = 11;
 /// As many numbers as contexts, and further ones that fill a vector of the processor.
 const WIDTH: usize = CONTEXTS.next_multiple_of(4);
 
-/// Slots for what was seen in contexts: 8 MB in blocks, one for all decisions of a byte in a context. With 5 MB the page takes a
-/// fifth less time to unpack, most of which is waiting for memory, but is 6 kB larger, which is more than its budget.
-const BLOCKS: usize = 8 << 10;
+/// Slots for what was seen in contexts, in blocks of 1 kB, one for all decisions of a byte in a context. The first part has `FIRST`
+/// of them; with four times as many it would take a third longer, most of which is waiting for memory. The others have `BLOCKS`, and
+/// are smaller by a fiftieth for it.
+const FIRST: usize = 8 << 10;
+const BLOCKS: usize = 64 << 10;
 const BLOCK: usize = 256;
 const SLOTS: usize = BLOCKS * BLOCK;
 /// Of a slot, which has a probability of 16 bits, 10 bits of the context that it belongs to, and a count up to `LIMIT`.
@@ -26,7 +30,7 @@ const OWNER: u32 = 0xffc0;
 const COUNT: u32 = 0x3f;
 /// One half, never seen.
 const FRESH: u32 = 0x8000_0000;
-const LIMIT: u32 = 10;
+const LIMIT: u32 = 7;
 /// A slot that was seen more often than this is not given to another context at once.
 const OFTEN: u32 = 5;
 /// How far weights move at first and in the end. With each decision, `SETTLE` of what is between is left behind.
@@ -52,6 +56,9 @@ pub(crate) trait Bytes {
     /// `known`.
     fn byte(&mut self, kind: usize, contexts: [u32; CONTEXTS], sure: usize, before: u8, known: u8) -> u8;
 
+    /// More room for what is seen, after the first part.
+    fn grow(&mut self) {}
+
     /// Fails where more was read than there was.
     fn check(&self) -> Result<(), Damaged> {
         Ok(())
@@ -70,7 +77,11 @@ pub(crate) trait Coder {
 pub(crate) struct Mixer<C> {
     coder: C,
     trees: Vec<Tree>,
+    /// Each different from `FRESH` in the bits that are set, so that memory is fresh as it comes.
     slots: Vec<u32>,
+    /// How many blocks are in use.
+    blocks: usize,
+    refining: Refining,
     learn: f32,
     by_node: Vec<Weights>,
     by_sure: Vec<Weights>,
@@ -108,7 +119,9 @@ impl<C: Coder> Mixer<C> {
         Mixer {
             coder,
             trees: Vec::new(),
-            slots: vec![FRESH; SLOTS],
+            slots: vec![0; SLOTS],
+            blocks: FIRST,
+            refining: Refining::new(),
             learn: LEARN,
             by_node: vec![[WEIGHT; WIDTH]; KINDS * 256],
             by_sure: vec![[WEIGHT; WIDTH]; KINDS * SURE],
@@ -150,6 +163,7 @@ impl<C: Coder> Bytes for Mixer<C> {
 
     // The loops over WIDTH are such that the compiler makes vectors of them.
     fn byte(&mut self, kind: usize, contexts: [u32; CONTEXTS], sure: usize, before: u8, known: u8) -> u8 {
+        let blocks = self.blocks as u32;
         let mut base = [0; WIDTH];
         base[..CONTEXTS].copy_from_slice(&contexts);
         let mut owner = [0; WIDTH];
@@ -157,7 +171,7 @@ impl<C: Coder> Bytes for Mixer<C> {
             let h = base[i] ^ ((kind * WIDTH + i + 1) as u32).wrapping_mul(0x3d4d_51cb);
             let h = h.wrapping_mul(0x9e37_79b1);
             let h = (h ^ (h >> 15)).wrapping_mul(0x85eb_ca6b);
-            let block = ((h >> 16) * BLOCKS as u32) >> 16;
+            let block = ((h >> 16) * blocks) >> 16;
             base[i] = block * BLOCK as u32 + h % BLOCK as u32;
             owner[i] = h.wrapping_mul(0x2545_f491) >> 16 & OWNER;
         }
@@ -179,7 +193,7 @@ impl<C: Coder> Bytes for Mixer<C> {
             let mut slot = [FRESH; WIDTH];
             for i in 0..CONTEXTS {
                 place[i] = (base[i] as usize ^ node).min(SLOTS - 1); // within the block: the minimum is for the compiler
-                slot[i] = slots[place[i]];
+                slot[i] = slots[place[i]] ^ FRESH;
             }
             let held = slot;
             let mut count = [0.0; WIDTH];
@@ -202,11 +216,19 @@ impl<C: Coder> Bytes for Mixer<C> {
             for i in 0..WIDTH {
                 sums[i % 4] += (by_node[i] + by_sure[i] + by_before[i] + by_fresh[i]) * stretched[i];
             }
-            let expected = logistic((sums[0] + sums[1]) + (sums[2] + sums[3]));
-            let p = (expected * 65536.0) as u32;
+            let odds = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+            let expected = logistic(odds);
+            // Where bytes are text it would take a tenth more time and save next to nothing.
+            let mark = (kind != DATA).then(|| Refining::place(kind * 256 + node, contexts[3], odds));
+            let refined = expected + mark.as_ref().map_or(0.0, |mark| self.refining.correction(mark));
+            let p = (refined * 65536.0) as u32;
             let bit = self.coder.decide(p.clamp(1, 65535), left & 1 == 1);
             left >>= 1;
-            let error = (f32::from(u8::from(bit)) - expected) * self.learn;
+            let error = f32::from(u8::from(bit)) - expected;
+            if let Some(mark) = &mark {
+                self.refining.learn(mark, error);
+            }
+            let error = error * self.learn;
             self.learn += (LEARN_LAST - self.learn) * SETTLE;
             let change = stretched.map(|x| error * x);
             for set in [by_node, &mut *by_sure, &mut *by_before, by_fresh] {
@@ -226,13 +248,28 @@ impl<C: Coder> Bytes for Mixer<C> {
                 slot[i] = if stays { held[i] - 1 } else { slot[i] };
             }
             for i in 0..CONTEXTS {
-                slots[place[i]] = slot[i];
+                slots[place[i]] = slot[i] ^ FRESH;
             }
             match tree.next[node][usize::from(bit)] {
                 Step::Byte(byte) => return byte,
                 Step::Node(next) => node = usize::from(next),
             }
         }
+    }
+
+    /// Each block becomes several, which are as it was: where a context belongs among them is known when it is seen again.
+    fn grow(&mut self) {
+        if self.blocks == BLOCKS {
+            return;
+        }
+        let scale = BLOCKS / self.blocks;
+        for block in (0..self.blocks).rev() {
+            let from = block * BLOCK..(block + 1) * BLOCK;
+            for k in (0..scale).rev() {
+                self.slots.copy_within(from.clone(), (block * scale + k) * BLOCK);
+            }
+        }
+        self.blocks = BLOCKS;
     }
 
     fn check(&self) -> Result<(), Damaged> {

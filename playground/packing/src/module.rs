@@ -27,18 +27,23 @@ const KIND: usize = 13;
 const LONG: usize = 14;
 const DECLARED: usize = 15;
 const REST: usize = 16;
-const DATA: usize = 17;
+pub(crate) const DATA: usize = 17;
 const NEW: usize = 18;
+const ABSENT: usize = 19; // whether a function is missing
 
 // Sections.
 const TYPE_SECTION: u32 = 1;
 const FUNCTION_SECTION: u32 = 3;
 const CODE_SECTION: u32 = 10;
 const DATA_SECTION: u32 = 11;
+/// A function that is missing: no variables, and a trap. It comes in a later part.
+const MISSING: [u8; 3] = [0, 0x00, 0x0b];
+/// What stands between two parts of a module, in the place of a section's number.
+pub const PART: u8 = 255;
 
 /// Goes through a module: takes it from the tape and gives its bytes to the coder, or the other way round.
-pub(crate) struct Walk<'a, B> {
-    bytes: &'a mut B,
+pub(crate) struct Walk<B> {
+    bytes: B,
     pub(crate) tape: Tape,
     pub(crate) repetition: Repetition,
     /// Operations before, the last one first.
@@ -48,6 +53,11 @@ pub(crate) struct Walk<'a, B> {
     variables: [u32; 2],
     pub(crate) call: u32,
     pub(crate) function: u32,
+    /// Functions that are missing, and how many of them came in later parts.
+    missing: Vec<u32>,
+    came: usize,
+    /// Which of the last functions were missing, the last one lowest.
+    lacks: u32,
     depth: u32,
     stack: Stack,
     /// Further contexts of an instruction, and of what of it has been coded.
@@ -66,15 +76,15 @@ pub(crate) struct Walk<'a, B> {
 const AROUND: usize = CONTEXTS - 5;
 
 /// Variables and addresses that are told apart.
-const TABLE: usize = 1 << 12;
+const TABLE: usize = 1 << 10;
 
 fn push<const N: usize>(all: &mut [u32; N], value: u32) {
     all.copy_within(0..N - 1, 1);
     all[0] = value;
 }
 
-impl<'a, B: Bytes> Walk<'a, B> {
-    pub(crate) fn new(bytes: &'a mut B, tape: Tape) -> Walk<'a, B> {
+impl<B: Bytes> Walk<B> {
+    pub(crate) fn new(bytes: B, tape: Tape) -> Walk<B> {
         Walk {
             bytes,
             tape,
@@ -84,6 +94,9 @@ impl<'a, B: Bytes> Walk<'a, B> {
             variables: [0; 2],
             call: 0,
             function: 0,
+            missing: Vec::new(),
+            came: 0,
+            lacks: 0,
             depth: 0,
             stack: Stack::default(),
             around: [0; AROUND],
@@ -94,8 +107,8 @@ impl<'a, B: Bytes> Walk<'a, B> {
         }
     }
 
-    pub(crate) fn into_written(self) -> Vec<u8> {
-        self.tape.into_written()
+    pub(crate) fn into_bytes(self) -> B {
+        self.bytes
     }
 
     /// A byte in the contexts that are given, those around it, and those of repetitions.
@@ -144,9 +157,20 @@ impl<'a, B: Bytes> Walk<'a, B> {
         u32::from_be_bytes([0, 1, 2, 3].map(|k| self.byte(REST, [k as u32; 3], bytes[k])))
     }
 
-    /// The whole module.
+    /// The whole module, all of its parts.
     pub(crate) fn module(&mut self) -> Result<(), Damaged> {
-        self.plain_bytes(REST, 8)?;
+        self.header()?;
+        while self.part()? {}
+        Ok(())
+    }
+
+    /// What a module begins with.
+    pub(crate) fn header(&mut self) -> Result<(), Damaged> {
+        self.plain_bytes(REST, 8).map(drop)
+    }
+
+    /// The sections of a part; whether another part follows.
+    pub(crate) fn part(&mut self) -> Result<bool, Damaged> {
         loop {
             // A zero stands after the last section.
             let ended = B::READS || self.tape.ended();
@@ -154,7 +178,11 @@ impl<'a, B: Bytes> Walk<'a, B> {
             let id = self.plain(known);
             self.bytes.check()?;
             if id == 0 {
-                return Ok(());
+                return Ok(false);
+            }
+            if id == u32::from(PART) {
+                self.bytes.grow();
+                return Ok(true);
             }
             let length = if B::READS { 0 } else { self.tape.number()? };
             if B::READS {
@@ -224,29 +252,58 @@ impl<'a, B: Bytes> Walk<'a, B> {
     fn code(&mut self) -> Result<(), Damaged> {
         let known = if B::READS { 0 } else { self.tape.number()? };
         let count = self.plain(known);
+        let first = self.function == 0;
         if !B::READS {
-            for _ in 0..count {
+            for k in 0..count {
                 self.tape.number()?;
-                self.body()?;
+                self.next_function(first, k)?;
             }
             return Ok(());
         }
         let module = mem::replace(&mut self.tape, Tape::new(Vec::new()));
         let mut all = Tape::new(Vec::new());
         all.put_number(count);
-        for _ in 0..count {
+        for k in 0..count {
             self.tape.clear();
-            self.body()?;
+            self.next_function(first, k)?;
             all.put_all(&self.tape)?;
         }
         self.tape = module;
         self.tape.put_all(&all)
     }
 
+    /// The next function, in code after the first the next one that was missing. First comes whether it is missing here.
+    fn next_function(&mut self, first: bool, k: u32) -> Result<(), Damaged> {
+        let mut number = k;
+        if !first {
+            number = *self.missing.get(self.came).ok_or(Damaged)?;
+            self.came += 1;
+        }
+        self.function = number.wrapping_add(1);
+        let kind = self.stack.kind(number) as u32;
+        let [few, some, many] = [3, 15, 0xff].map(|mask| self.lacks & mask);
+        self.around = [many, both(few, kind), both(some, kind), kind, 0, 0];
+        let known = !B::READS && self.tape.begins_with(&MISSING);
+        let missing = self.byte(ABSENT, [few & 1, some, self.lacks & 0xffff], u8::from(known)) != 0;
+        self.lacks = self.lacks << 1 | u32::from(missing);
+        if !missing {
+            return self.body(number);
+        }
+        self.missing.push(number);
+        for byte in MISSING {
+            if B::READS {
+                self.tape.put(byte);
+            } else {
+                self.tape.next()?;
+            }
+        }
+        self.bytes.check()?;
+        self.tape.check()
+    }
+
     /// One function: its variables, and instructions up to the end of the outermost block.
-    fn body(&mut self) -> Result<(), Damaged> {
-        self.unused = self.stack.parameters(self.function);
-        self.function += 1;
+    fn body(&mut self, number: u32) -> Result<(), Damaged> {
+        self.unused = self.stack.parameters(number);
         self.places.fill(0);
         self.next.fill(0);
         self.operations = [0; 6];

@@ -7,10 +7,11 @@ use alloc::vec::Vec;
 use core::alloc::{GlobalAlloc, Layout};
 use core::arch::wasm32;
 use core::cell::{Cell, RefCell};
+use core::mem;
 use core::panic::PanicInfo;
 use core::ptr;
 
-use crate::{Damaged, pack, unpack};
+use crate::{Parts, pack};
 
 /// Memory that is never given back: an instance packs or unpacks once.
 struct Forward(Cell<usize>);
@@ -38,6 +39,11 @@ unsafe impl GlobalAlloc for Forward {
         ptr::without_provenance_mut(start)
     }
 
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        // SAFETY: the caller's.
+        unsafe { self.alloc(layout) } // nobody has written there
+    }
+
     unsafe fn dealloc(&self, _: *mut u8, _: Layout) {}
 }
 
@@ -50,13 +56,13 @@ fn panic(_: &PanicInfo<'_>) -> ! {
 }
 
 /// What is packed or unpacked next, and then what became of it.
-struct Room(RefCell<Vec<u8>>);
+struct Room(RefCell<Vec<u8>>, RefCell<Option<Parts>>);
 
 // SAFETY: there is one thread.
 #[allow(unsafe_code)]
 unsafe impl Sync for Room {}
 
-static ROOM: Room = Room(RefCell::new(Vec::new()));
+static ROOM: Room = Room(RefCell::new(Vec::new()), RefCell::new(None));
 
 /// The address of room for this number of bytes.
 #[allow(unsafe_code)] // SAFETY: no other symbol of the page has the name; there is no unsafe block here
@@ -67,25 +73,27 @@ pub(crate) extern "C" fn room(length: usize) -> *mut u8 {
     room.as_mut_ptr()
 }
 
-/// Puts what `turn` makes of the room's bytes in their place; the number of bytes, 0 where there is an error.
-fn turned(turn: impl FnOnce(&[u8]) -> Result<Vec<u8>, Damaged>) -> usize {
-    let mut room = ROOM.0.borrow_mut();
-    *room = turn(&room).unwrap_or_default();
-    room.len()
-}
-
-/// Unpacks what is in the room.
+/// Unpacks the first part of what is in the room, or the next one, and puts it there; the number of its bytes, 0 after the last
+/// part and where there is an error.
 #[allow(unsafe_code)] // SAFETY: as for `room`
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn unpacked() -> usize {
-    turned(unpack)
+    let mut room = ROOM.0.borrow_mut();
+    let mut parts = ROOM.1.borrow_mut();
+    if parts.is_none() {
+        *parts = Parts::new(mem::take(&mut room)).ok();
+    }
+    *room = parts.as_mut().and_then(|parts| parts.next().ok()).flatten().unwrap_or_default();
+    room.len()
 }
 
 /// Packs what is in the room.
 #[allow(unsafe_code)] // SAFETY: as for `room`
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn packed() -> usize {
-    turned(pack)
+    let mut room = ROOM.0.borrow_mut();
+    *room = pack(&room).unwrap_or_default();
+    room.len()
 }
 
 /// Where the result begins.

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 /// The longer passage is mostly another instance of the same function, the shorter one the last that does the same.
 const SHIFTS: [u32; 2] = [5, 2];
 /// log2 of the number of passages that are known of each length.
-const BITS: u32 = 18;
+const BITS: u32 = 19;
 /// After this number of values unlike in a passage another one is looked for.
 const MISSES: u32 = 5;
 /// Steps of how sure a passage is, and how sure two are, as a number below this.

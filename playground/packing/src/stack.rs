@@ -84,6 +84,11 @@ impl Stack {
         Some(())
     }
 
+    /// The number of the type of a function.
+    pub(crate) fn kind(&self, function: u32) -> usize {
+        self.functions.get(function as usize).copied().unwrap_or_default()
+    }
+
     /// How many parameters a function has.
     pub(crate) fn parameters(&self, function: u32) -> u32 {
         self.functions.get(function as usize).map_or(0, |&index| self.type_of(index).0 as u32)

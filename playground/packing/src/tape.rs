@@ -1,6 +1,7 @@
 //! Bytes that are read or written one after the other.
 
 use alloc::vec::Vec;
+use core::mem;
 
 use crate::Damaged;
 
@@ -45,6 +46,11 @@ impl Tape {
         number
     }
 
+    /// Whether these bytes come next.
+    pub(crate) fn begins_with(&self, bytes: &[u8]) -> bool {
+        self.bytes.get(self.at..).is_some_and(|rest| rest.starts_with(bytes))
+    }
+
     pub(crate) fn ended(&self) -> bool {
         self.at >= self.bytes.len()
     }
@@ -76,13 +82,9 @@ impl Tape {
         if self.bytes.len() > MOST { Err(Damaged) } else { Ok(()) }
     }
 
-    #[allow(dead_code)]
-    pub(crate) fn written(&self) -> &[u8] {
-        &self.bytes
-    }
-
-    pub(crate) fn into_written(self) -> Vec<u8> {
-        self.bytes
+    /// What is written so far, which leaves the tape.
+    pub(crate) fn take(&mut self) -> Vec<u8> {
+        mem::take(&mut self.bytes)
     }
 
     pub(crate) fn clear(&mut self) {

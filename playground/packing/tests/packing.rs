@@ -1,7 +1,7 @@
 //! Modules come back from their packed form, whatever instructions they have; what is damaged is an error or another
 //! module.
 
-use basis_packing::{Damaged, pack, unpack};
+use basis_packing::{Damaged, PART, Parts, pack, unpack};
 
 /// Numbers that are the same in every run.
 struct Random(u64);
@@ -163,6 +163,53 @@ fn modules_come_back() {
         let packed = pack(&module).unwrap();
         assert_eq!(unpack(&packed), Ok(module), "module {round}");
     }
+}
+
+/// A code section of functions without variables.
+fn code(functions: &[&[u8]]) -> Vec<u8> {
+    let mut content = vec![functions.len() as u8];
+    for instructions in functions {
+        content.extend([instructions.len() as u8 + 1, 0]);
+        content.extend(*instructions);
+    }
+    let mut out = Vec::new();
+    section(&mut out, 10, &content);
+    out
+}
+
+const MISSING: &[u8] = &[0x00, 0x0b];
+
+#[test]
+fn parts_come_one_after_the_other() {
+    let mut first = b"\0asm\x01\0\0\0".to_vec();
+    section(&mut first, 1, &[2, 0x60, 0, 0, 0x60, 3, 0x7f, 0x7f, 0x7f, 0]);
+    section(&mut first, 3, &[4, 0, 1, 0, 1]);
+    first.extend(code(&[&[0x10, 1, 0x0b], MISSING, &[0x01, 0x0b], MISSING]));
+    section(&mut first, 11, b"text of the first part");
+    let later = code(&[&[0x41, 7, 0x21, 3, 0x0b]]);
+    let mut last = code(&[&[0x41, 9, 0x22, 3, 0x1a, 0x0b]]);
+    section(&mut last, 11, b"text of the last part");
+    let packed = pack(&[&first[..], &later, &last].join(&PART)).unwrap();
+    let mut parts = Parts::new(packed).unwrap();
+    for part in [first, later, last] {
+        assert_eq!(parts.next(), Ok(Some(part)));
+    }
+    assert_eq!(parts.next(), Ok(None));
+}
+
+#[test]
+fn no_more_functions_come_than_are_missing() {
+    let with = |functions: &[&[u8]]| {
+        let mut module = b"\0asm\x01\0\0\0".to_vec();
+        module.extend(code(&[MISSING, &[0x0b]]));
+        module.push(PART);
+        module.extend(code(functions));
+        pack(&module).map(drop)
+    };
+    assert_eq!(with(&[&[0x01, 0x0b]]), Ok(()));
+    // One that is still missing comes again.
+    assert_eq!(with(&[MISSING, &[0x01, 0x0b]]), Ok(()));
+    assert_eq!(with(&[&[0x01, 0x0b], &[0x01, 0x0b]]), Err(Damaged));
 }
 
 #[test]
