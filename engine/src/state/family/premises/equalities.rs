@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 use super::points::{all_ranges, counts, sample};
 use super::touching::zeros_between;
-use crate::algebra::poly::{Poly, PolyExt as _, Var};
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 
