@@ -750,3 +750,38 @@ fn parameters_far_out_and_next_to_an_end() {
     );
     assert_eq!(found.len(), 5, "{found:?}");
 }
+
+/// Each factor goes a way of its own: sinh(t) − t by its derivatives, α − λ·t by its ends.
+#[test]
+fn products_of_factors_with_a_sign() {
+    let found = verdicts(
+        "family Hyperbolic {
+            shape 0 < α <= 3;
+            shape 0 <= λ <= 1;
+            domain 0 <= t <= α;
+            f[0] = sinh(t) - t;
+            prove f[0]*(1 - λ*t/α) >= 0;
+            prove (sinh(α - t) - (α - t))/(sinh(α) - α)*(1 - λ*t/α) >= 0;
+        }
+        family Trigonometric {
+            shape 0 < α <= pi;
+            shape 0 <= λ <= 1;
+            domain 0 <= t <= α;
+            f[0] = t - sin(t);
+            prove f[0]*(1 - λ*t/α) >= 0;
+            prove -f[0]*(1 + t - λ*t/α) <= 0;
+        }",
+    );
+    assert_eq!(found, ["="; 4]);
+    let found = counterexamples(
+        "family Hyperbolic {
+            shape 0 < α <= 3;
+            shape 0 <= λ <= 1;
+            domain 0 <= t <= α;
+            f[0] = sinh(t) - t;
+            refute f[0]*(1/2 - λ*t/α) >= 0;
+            refute f[0]*(1 - λ*t/α) > 0;
+        }",
+    );
+    assert_eq!(found.len(), 2, "{found:?}");
+}

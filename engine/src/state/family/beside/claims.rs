@@ -7,6 +7,7 @@ use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, Counterexample, simple, within};
 
+use super::factors::factors;
 use super::{Sample, combination, sample, values};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -64,6 +65,7 @@ fn by_a_way<'f>(
         Saying::Plainly => None,
         Saying::Enough(ways) => match ways.next().copied().unwrap_or(0) {
             super::COMBINATION => combined(family, (of, value, comparison), part, sample, saying),
+            super::FACTORS => factored(family, (value, comparison), part, sample, saying),
             way => by(way, sample),
         },
         Saying::By(way, count) => {
@@ -86,6 +88,12 @@ fn by_a_way<'f>(
             found[before] = super::COMBINATION;
             if let Some(all) =
                 combined(family, (of, value, comparison), part, sample, &mut Saying::Found(found))
+            {
+                return Some(all);
+            }
+            found.truncate(before);
+            found.push(super::FACTORS);
+            if let Some(all) = factored(family, (value, comparison), part, sample, &mut Saying::Found(found))
             {
                 return Some(all);
             }
@@ -132,13 +140,8 @@ fn combined<'f>(
     sample: &mut Option<Sample<'f>>,
     saying: &mut Saying<'_>,
 ) -> Option<Vec<(Stated, String)>> {
-    let (value, strict) = match comparison {
-        Comparison::GreaterEqual => (value.clone(), false),
-        Comparison::Greater => (value.clone(), true),
-        Comparison::LessEqual => (-value, false),
-        Comparison::Less => (-value, true),
-        Comparison::Equal | Comparison::NotEqual => return None,
-    };
+    let (value, comparison) = positive(value, comparison)?;
+    let strict = comparison == Comparison::Greater;
     let parts = basis_prover::working(family.budget, &mut |work| combination::parts(family, &value, work))?;
     let mut all = Vec::new();
     for position in &parts {
@@ -153,6 +156,36 @@ fn combined<'f>(
         all.extend(stated(family, positive?, part).filter(|all| are_proved(all, family.budget))?);
     }
     Some(all)
+}
+
+/// What is enough for a product, each of whose factors goes a way of its own.
+fn factored<'f>(
+    family: &'f Family,
+    (value, comparison): (&Fraction, Comparison),
+    part: &(Piece, Rc<Domain>),
+    sample: &mut Option<Sample<'f>>,
+    saying: &mut Saying<'_>,
+) -> Option<Vec<(Stated, String)>> {
+    let (value, comparison) = positive(value, comparison)?;
+    let found = sampled(family, sample)?;
+    let strict = comparison == Comparison::Greater;
+    let factors = basis_prover::working(family.budget, &mut |work| factors(&value, strict, found, work))?;
+    let mut all = Vec::new();
+    for factor in factors {
+        let of = factor.display(&family.names).to_string();
+        all.extend(by_a_way(family, (&of, &factor, comparison), part, sample, saying)?);
+    }
+    Some(all)
+}
+
+/// A value that is ≥ 0 or > 0 where another one compares with 0.
+fn positive(value: &Fraction, comparison: Comparison) -> Option<(Fraction, Comparison)> {
+    match comparison {
+        Comparison::GreaterEqual | Comparison::Greater => Some((value.clone(), comparison)),
+        Comparison::LessEqual => Some((-value, Comparison::GreaterEqual)),
+        Comparison::Less => Some((-value, Comparison::Greater)),
+        Comparison::Equal | Comparison::NotEqual => None,
+    }
 }
 
 /// A point at which a statement fails, and the proof that it does whatever π and exp(r) are between their bounds.

@@ -7,7 +7,7 @@
 //! - the ladder of derivatives, with bounds for the parameters at the end of the domain in what it leaves, or with ladders in
 //!   these; also with the domain reversed;
 //! - bounds for the variable itself, exact where it is 0, cell by cell at the nearest end, or in many short cells;
-//! - as a combination of the functions of the family, each of which is ≥ 0;
+//! - as a combination of the functions of the family, each of which is ≥ 0, or as a product of factors;
 //! - by ladders on the parts of the domain between points at which the value or its derivative vanishes.
 //!
 //! A claim is false where the value is not as claimed whatever the numbers are that its enclosures leave
@@ -16,6 +16,7 @@
 mod claims;
 mod combination;
 mod cuts;
+mod factors;
 mod fine;
 mod ladder;
 mod parameter;
@@ -113,10 +114,12 @@ enum Way {
     Parts(u32),
     /// On this number of short cells.
     Fine(u32),
+    /// As a product of factors, whose own ways follow.
+    Factors,
 }
 
 /// By their numbers in certificates.
-const WAYS: [Way; 14] = [
+const WAYS: [Way; 15] = [
     Way::Wider,
     Way::Ladder(5),
     Way::Halves(5),
@@ -131,6 +134,7 @@ const WAYS: [Way; 14] = [
     Way::Parts(8),
     Way::Fine(8),
     Way::Fine(32),
+    Way::Factors,
 ];
 
 /// The level of bounds in short cells: an even one.
@@ -144,6 +148,7 @@ const WIDER: usize = 0;
 const LADDER: usize = 1;
 const COMBINATION: usize = 10;
 const PARTS: usize = 11;
+const FACTORS: usize = 14;
 
 /// The order in which the others are tried.
 const LATER: [usize; 11] = [PARTS, 12, 2, 3, 4, 5, 13, 6, 7, 8, 9];
@@ -226,7 +231,8 @@ fn steps(
         }
         (Way::Ladder(level) | Way::Whole(level) | Way::Parameter(level), _) => (vec![whole], *level),
         (Way::Wider | Way::Combination | Way::Parts(_), _)
-        | (Way::Cells(_) | Way::Fine(_) | Way::Halves(_) | Way::Mirrored(_), None) => return None,
+        | (Way::Cells(_) | Way::Fine(_) | Way::Halves(_) | Way::Mirrored(_), None)
+        | (Way::Factors, _) => return None,
     };
     let (mut all, mut changed) = (Vec::new(), false);
     for step in found {
