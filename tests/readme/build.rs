@@ -38,7 +38,7 @@ const BLOCKS: [Block; 4] = [
         after: "
             assert!(point.iter().all(|x| x.is_finite()) && normal.is_some());
             assert_eq!(edge.control_points().len(), 6);
-            assert!(next.boundary(TriangleEdge::U).start().iter().all(|x| x.is_finite()));",
+            assert!(next.edge_curve(TriangleEdge::U).start().iter().all(|x| x.is_finite()));",
     },
     Block {
         name: "surfaces",

@@ -3,8 +3,8 @@
 use std::cell::Cell;
 
 use basis_runtime::{
-    BernsteinBasis, BoundedSurface, Curve, Edge, EdgePair, MeshError, ScalarOf, Surface, SurfaceOfRevolution,
-    SurfacePiece, TensorSurface, Tessellation, edge_continuity,
+    BernsteinBasis, BoundedSurface, Curve, Edge, EdgePair, MeshError, ScalarOf, Surface, SurfaceDomain,
+    SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, edge_continuity,
 };
 
 use crate::families::{QuarticBernstein, random_quartic};
@@ -81,7 +81,7 @@ struct Counted<'a, S> {
 impl<S: Surface> Surface for Counted<'_, S> {
     type Point = S::Point;
 
-    fn domain(&self) -> [[ScalarOf<Self>; 2]; 2] {
+    fn domain(&self) -> SurfaceDomain<ScalarOf<Self>> {
         self.surface.domain()
     }
 
