@@ -89,7 +89,7 @@
 //! | where it meets a surface: `surface_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
-//! | the image under an affine map, of any library of points: `map` | yes | yes | yes | yes | no: the image has a type of its own |
+//! | the image under an affine map, a closure or [one of the library of points](AffineMap): `map`, `transform` | yes | yes | yes | yes | no: the image has a type of its own |
 //!
 //! # Surfaces of all types
 //!
@@ -109,7 +109,7 @@
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes | yes | yes | yes |
 //! | where rays and lines meet it: `ray_intersections`, `line_intersections` | yes | yes | yes | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subpatch`, `reversed` | yes | yes | yes | yes | yes | no: a part over a rectangle is no triangle; it has `split_edge` and `part` | yes | no: a part has a type of its own |
-//! | the image under an affine map, of a surface of revolution under a similarity: `map` | yes | yes | yes | yes | yes | yes | yes | no: the image has a type of its own |
+//! | the image under an affine map, a closure or [one of the library of points](AffineMap), of a surface of revolution under a similarity: `map`, `transform` | yes | yes | yes | yes | yes | yes | yes | no: the image has a type of its own |
 //! | triangles within a tolerance, by a [tessellation](Tessellation): `with` | yes | yes | yes | yes | yes | yes | yes | yes |
 //!
 //! [`edge_continuity`] measures how smoothly two surfaces of any types meet along an edge. The parameters are those of a
@@ -187,6 +187,7 @@ extern crate std;
 #[doc(hidden)]
 #[path = "macro_support.rs"]
 pub mod __private;
+mod affine;
 mod basis;
 pub mod bernstein;
 mod boxes;
@@ -227,6 +228,7 @@ mod surface;
 #[allow(dead_code)] // some of it only with some features
 mod vector;
 
+pub use affine::AffineMap;
 pub use basis::{Array, Basis, Rounding};
 #[cfg(feature = "macros")]
 pub use basis_macros::basis;

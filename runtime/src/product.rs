@@ -332,6 +332,8 @@ impl<B: ProductBasis, P: Point<Scalar = B::Scalar>> ProductPatch<B, P> {
         ProductPatch::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
+    crate::affine::transform!();
+
     /// The point of the patch; at the corners of the domain the Bernstein point there, exactly.
     ///
     /// Coordinates are not clamped: outside of the domain the polynomial is continued.

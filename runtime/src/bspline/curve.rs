@@ -136,6 +136,8 @@ impl<P: Point> BSplineCurve<P> {
         BSplineCurve { knots: self.knots.clone(), points }
     }
 
+    crate::affine::transform!();
+
     /// The degree `k`.
     #[inline]
     pub fn degree(&self) -> usize {

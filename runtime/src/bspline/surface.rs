@@ -78,6 +78,8 @@ impl<P: Point> BSplineSurface<P> {
         BSplineSurface { u: self.u.clone(), v: self.v.clone(), net: self.net.map(image) }
     }
 
+    crate::affine::transform!();
+
     /// The degrees in both directions.
     #[inline]
     pub fn degrees(&self) -> [usize; 2] {

@@ -118,6 +118,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         Curve::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
+    crate::affine::transform!();
+
     /// The point `C(t)`.
     ///
     /// Exact at both ends of the domain: there it equals [`start`](Self::start) and [`end`](Self::end).

@@ -123,6 +123,8 @@ impl<P: Point> Path<P> {
         Path { segments: self.segments.iter().map(|segment| segment.map(&mut map)).collect() }
     }
 
+    crate::affine::transform!();
+
     /// The segment of a parameter, and the parameter `0 <= x <= 1` on it. Parameters outside of the domain belong to the
     /// first and the last segment, which are continued; NaN belongs to the first.
     pub fn locate(&self, u: P::Scalar) -> (usize, P::Scalar) {

@@ -191,6 +191,15 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         SurfaceOfRevolution::new(&self.generatrix.map(image), origin, axis, self.angle)
     }
 
+    /// The image under a similarity of the library of the points, see [`AffineMap`](crate::AffineMap); as by
+    /// [`map`](Self::map).
+    ///
+    /// # Errors
+    /// As [`map`](Self::map).
+    pub fn transform(&self, by: &impl crate::AffineMap<P>) -> Result<Self, RevolutionError> {
+        self.map(|point| by.image(point))
+    }
+
     /// The meridian at the angle `v`: the generatrix, turned by that angle.
     pub fn meridian(&self, v: B::Scalar) -> Curve<B, P> {
         let [cos, sin] = circle::direction(v);

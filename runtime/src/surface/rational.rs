@@ -111,6 +111,8 @@ where
         }
     }
 
+    crate::affine::transform!();
+
     /// The numerator `N`, whose control points are `w[i][j] P[i][j]`.
     pub fn numerator(&self) -> &TensorSurface<U, V, P> {
         &self.numerator

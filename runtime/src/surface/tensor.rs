@@ -100,6 +100,8 @@ where
         }
     }
 
+    crate::affine::transform!();
+
     /// The family in `u`, with its shape values.
     #[inline]
     pub fn u_basis(&self) -> U {

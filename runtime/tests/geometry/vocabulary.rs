@@ -116,7 +116,7 @@ macro_rules! ask_curve {
     }};
     ($space:expr, $plane:expr) => {
         ask_curve!($space, $plane,
-            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed(); map(|p| p);
+            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed(); map(|p| p); transform(&TURN);
             continued(Contact::Tangent { f: 1.0 }, &arch(|p| p)); preceded(Contact::Tangent { f: 1.0 }, &arch(|p| p));)
     };
 }
@@ -139,12 +139,15 @@ macro_rules! ask_surface {
     ($surface:expr) => {
         ask_surface!($surface,
             eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd);
-            split(Direction::U, 0.5); subpatch(0.75..0.25, 0.25..0.5); reversed(Direction::V); map(|p| p);)
+            split(Direction::U, 0.5); subpatch(0.75..0.25, 0.25..0.5); reversed(Direction::V); map(|p| p); transform(&TURN);)
     };
 }
 
+/// A right angle about the third axis, in rows.
+const TURN: [[f64; 3]; 3] = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+
 /// The queries that are neither of a trait.
-const PARTS: [&str; 5] = ["split", "subpatch", "reversed", "with", "map"];
+const PARTS: [&str; 6] = ["split", "subpatch", "reversed", "with", "map", "transform"];
 
 fn plane_patch() -> BSplineSurface<[f64; 3]> {
     BSplineSurface::from_bezier(Net::from_fn(2, 2, |i, j| [i as f64, j as f64, 0.5]).unwrap()).unwrap()
@@ -195,7 +198,7 @@ fn of_curves() {
     agree(
         "| a curve's",
         &[(include_str!("../../src/geometry/parametric.rs"), "ParametricCurve")],
-        &["map"],
+        &["map", "transform"],
         &asked,
     );
 }
@@ -227,7 +230,7 @@ fn of_surfaces() {
         (
             "`TriangularPatch`",
             ask_surface!(triangle,
-                eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p);),
+                eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p); transform(&TURN);),
         ),
         ("`BoxPatch`", sheet),
         ("dyn", {

@@ -240,6 +240,10 @@ const REVOLVED: &[Case<Revolved>] = &[
         let image = s.map(|[x, y, z]| [x * a, y * a, z * b + a]);
         image.map_or(true, |t| any(&t, a, b) && t.angle() == s.angle())
     }),
+    ("transform", |s, a, b| {
+        let image = s.transform(&[[a, 0.0, 0.0, b], [0.0, a, 0.0, 0.0], [0.0, 0.0, b, 0.0]]);
+        image.map_or(true, |t| !a.is_nan() && !b.is_nan() && t.angle() == s.angle())
+    }),
     ("angle", |s, _, _| s.angle() == 4.0),
     ("generatrix", |s, _, _| s.generatrix().control_points().len() == 4),
     ("axis", |s, _, _| is_unit(s.axis().1)),

@@ -76,6 +76,8 @@ impl<P: Point> NurbsCurve<P> {
         NurbsCurve { homogeneous }
     }
 
+    crate::affine::transform!();
+
     /// The same curve over homogeneous points.
     #[inline]
     pub fn homogeneous(&self) -> &BSplineCurve<Homogeneous<P>> {

@@ -64,6 +64,8 @@ impl<P: Point> NurbsSurface<P> {
         NurbsSurface { homogeneous }
     }
 
+    crate::affine::transform!();
+
     /// The same surface over homogeneous points.
     #[inline]
     pub fn homogeneous(&self) -> &BSplineSurface<Homogeneous<P>> {
