@@ -44,6 +44,7 @@
 //! | a curve that turns about an axis | [`SurfaceOfRevolution`] |
 //! | a patch on a triangle, a tetrahedron, a box, a prism | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`], [`ProductPatch`] |
 //! | normals and curvatures of all of these surfaces, over rectangles and triangles | the trait [`Surface`], [`SurfaceDomain`] |
+//! | a surface that continues another one across an edge, with a contact of any order | [`TensorSurface::continued`], [`SimplexPatch::continued`]; of splines `bspline::splice` |
 //! | how smoothly two surfaces meet | [`edge_continuity`] |
 //! | where curves, rays and lines meet surfaces | [`SurfaceMeeting`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
@@ -275,6 +276,8 @@ pub use rational::{RationalBezier, RationalSpline};
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};
 pub use scalar::{FUSED_HERE, Scalar};
+#[cfg(feature = "alloc")]
+pub use simplex::TriangleContact;
 pub use simplex::{
     EdgeBasis, SimplexBasis, SimplexIndex, SimplexPatch, TetrahedronIndex, TriangleEdge, TriangleIndex,
     TriangularBasis, TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf,

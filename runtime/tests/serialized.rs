@@ -22,8 +22,8 @@ use basis_runtime::{
     RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
     SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke, Surface, SurfaceDomain, SurfaceMeeting,
     SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation,
-    TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis, bernstein::Root,
-    edge_continuity,
+    TriangleContact, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -155,6 +155,7 @@ fn bases_forms_and_curves() {
     met.into_iter().for_each(again);
     let joint = json!({ "gap": 0.5, "angle": 1.0, "curvature": 2.0, "derivatives": [0.0, 1.0, 2.0] });
     again(read::<Joint<f64>>(joint));
+    again(Contact::Scaled { order: 3, f: 0.5 });
     again(Contact::Curvature { f: 0.5, c: 2.0 });
     again(read::<Frame<P>>(json!({
         "point": [0.0, 0.0, 0.0],
@@ -215,6 +216,7 @@ fn patches_on_simplices_and_boxes() {
     again(BoxPatch::new(Bilinear::new(), [[0.0, 0.0], [0.0, 2.0], [4.0, 0.0], [6.0, 3.0]]));
     again(SurfaceDomain::Rectangle([[0.0, 1.0], [-2.0, 3.0]]));
     again(SurfaceDomain::<f64>::Triangle);
+    again(TriangleContact { order: 1, apex: [1.0, 1.0, -1.0] });
     again(TriangleEdge::V);
     again(EdgeBasis::new(TriangularII::new(1.5, 2.0).unwrap(), TriangleEdge::W));
     again(triangle().edge_curve(TriangleEdge::U));

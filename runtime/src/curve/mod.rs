@@ -25,6 +25,8 @@ use crate::{Array, Basis, CountError, Form, Point, Scalar};
 
 pub use contact::Contact;
 #[cfg(feature = "alloc")]
+pub(crate) use contact::backwards;
+#[cfg(feature = "alloc")]
 pub(crate) use contact::eliminate_in;
 pub(crate) use contact::{End, eliminate, touching};
 pub use error::CurveError;

@@ -15,8 +15,8 @@ pub use offset::{LineCap, LineJoin, Offset, Stroke};
 pub use segment::PathSegment;
 pub use svg::{SvgError, SvgMistake, to_svg};
 
+use crate::curve::backwards;
 use crate::curve::{divisible, nonempty};
-use crate::geometry::backwards;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::{CurveError, CurvePiece, JoinableCurve, ParametricCurve, Point, Scalar};

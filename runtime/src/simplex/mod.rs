@@ -17,6 +17,8 @@ use core::fmt::Debug;
 pub use bernstein::{TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf};
 pub use edge::{EdgeBasis, TriangleEdge};
 pub use index::{SimplexIndex, TetrahedronIndex, TriangleIndex};
+#[cfg(feature = "alloc")]
+pub use join::TriangleContact;
 #[cfg(feature = "elements")]
 pub(crate) use net::raised;
 #[cfg(feature = "geometry")]

@@ -2,8 +2,8 @@
 
 use basis_runtime::{
     BoxPatch, Direction, EdgeBasis, SimplexBasis as _, SimplexIndex, SimplexPatch, Surface, SurfacePiece,
-    TetrahedronIndex, TriangleEdge, TriangleIndex, TriangularBernsteinBasis, TriangularBezier,
-    TriangularPatch, basis,
+    TetrahedronIndex, TriangleContact, TriangleEdge, TriangleIndex, TriangularBernsteinBasis,
+    TriangularBezier, TriangularPatch, basis,
 };
 
 use crate::surfaces::{any, areas_and_edges};
@@ -73,7 +73,7 @@ const TRIANGLE: &[Case<Triangle>] = &[
     }),
     ("continued", |s, a, b| {
         [0, 1, 3, 4, usize::MAX].into_iter().all(|order| {
-            s.continued(TriangleEdge::V, [0.5, a, b], order, s.basis(), [[0.5; 3]; 10])
+            s.continued(TriangleEdge::V, TriangleContact { order, apex: [0.5, a, b] }, s)
                 .map_or(true, |next| next.control_points().iter().all(|&p| is_finite(p)))
         })
     }),

@@ -1,9 +1,9 @@
 //! Tensor surfaces, rational surfaces, surfaces of revolution, and their meshes.
 
 use basis_runtime::{
-    BoundedSurface, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, ParametricCurve, RationalSurface,
-    Surface, SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, Vertex, basis,
-    edge_continuity, half_turn_parameter,
+    BoundedSurface, Contact, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, ParametricCurve,
+    RationalSurface, Surface, SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation,
+    Vertex, basis, edge_continuity, half_turn_parameter,
 };
 
 use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
@@ -140,14 +140,16 @@ const TENSOR: &[Case<Tensor>] = &[
             inside && found.at_least <= found.distance && is_length(found.distance)
         })
     }),
-    ("join_uu", |s, a, _| {
-        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_uu(s, k, a).map_or(true, |t| t.rows().len() == 4))
-    }),
-    ("join_uv", |s, a, _| {
-        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_uv(s, k, a).map_or(true, |t| t.rows().len() == 4))
-    }),
-    ("join_vv", |s, a, _| {
-        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_vv(s, k, a).map_or(true, |t| t.rows().len() == 4))
+    ("continued", |s, a, b| {
+        let contact = |order| {
+            if order == 2 { Contact::Curvature { f: a, c: b } } else { Contact::Scaled { order, f: a } }
+        };
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|order| {
+            Edge::ALL.into_iter().all(|edge| {
+                let pair = EdgePair::against(edge, Edge::VEnd);
+                s.continued(pair, contact(order), s).map_or(true, |t| t.rows().len() == 4)
+            })
+        })
     }),
     ("edge_continuity", |s, a, b| {
         a != 0.0

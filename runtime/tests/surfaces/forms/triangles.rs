@@ -1,8 +1,9 @@
 //! Triangular patches as tensor surfaces.
 
 use basis_runtime::{
-    Edge, EdgePair, JoinError, Surface, SurfaceDomain, Tessellation, TriangleEdge, TriangleIndex,
-    TriangularBernsteinBasis, TriangularBezier, TriangularBezierOf, TriangularPatch, basis, edge_continuity,
+    Edge, EdgePair, JoinError, Surface, SurfaceDomain, Tessellation, TriangleContact, TriangleEdge,
+    TriangleIndex, TriangularBernsteinBasis, TriangularBezier, TriangularBezierOf, TriangularPatch, basis,
+    edge_continuity,
 };
 
 use crate::random::Random;
@@ -184,7 +185,9 @@ fn are_continued() {
         apex[(place + 1) % 3] = 1.0 - apex[place] - apex[(place + 2) % 3];
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let family = TriangularII::new(random.between(0.5, 3.0), random.between(0.5, 2.0)).unwrap();
-        let second = first.continued(edge, apex, 1, family, points).unwrap();
+        let second = first
+            .continued(edge, TriangleContact { order: 1, apex }, &TriangularPatch::new(family, points))
+            .unwrap();
         // Control points farther away are free.
         assert!(
             TriangleIndex::all(4)
@@ -205,7 +208,9 @@ fn are_continued() {
 
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let basis = TriangularBernsteinBasis::<f64, 7, 28>::new();
-        let smooth = first.continued(edge, apex, 2, basis, points).unwrap();
+        let smooth = first
+            .continued(edge, TriangleContact { order: 2, apex }, &TriangularPatch::new(basis, points))
+            .unwrap();
         let joint = edge_continuity(&turned, &smooth, pair, 33);
         assert_eq!(joint.order(1e-11, 1e-6, 1e-4), Some(2), "{joint:?}");
     }
@@ -217,14 +222,22 @@ fn continuations_that_do_not_exist() {
     let family = TriangularII::new(2.0, 1.5).unwrap();
     let points = [[0.5; 3]; 15];
     let apex = [-1.0, 1.0, 1.0];
-    let along = |apex, order| first.continued(TriangleEdge::U, apex, order, family, points).map(|_| ());
+    let draft = TriangularPatch::new(family, points);
+    let along =
+        |apex, order| first.continued(TriangleEdge::U, TriangleContact { order, apex }, &draft).map(|_| ());
     assert_eq!(along(apex, 1), Ok(()));
     assert_eq!(along([0.5, 0.5, 0.0], 1), Err(JoinError::Apex { value: 0.5 }));
     assert!(matches!(along([f64::NAN, 0.5, 0.5], 1), Err(JoinError::Apex { .. })));
     assert_eq!(along(apex, 5), Err(JoinError::Contact { most: 4, found: 5 }));
     // Four points on an edge of degree four are one too few.
     let quartic = TriangularI::new(2.0, 4.0).unwrap();
-    let found = first.continued(TriangleEdge::U, apex, 0, quartic, [[0.5; 3]; 6]).map(|_| ());
+    let found = first
+        .continued(
+            TriangleEdge::U,
+            TriangleContact { order: 0, apex },
+            &TriangularPatch::new(quartic, [[0.5; 3]; 6]),
+        )
+        .map(|_| ());
     assert_eq!(found, Err(JoinError::Unreachable));
     // At λ2 = 0 and λ1 = 3 the order 3 has no function for its inner point; at λ2 = 2 all are those of Bernstein.
     let cubic = TriangularBezier::<[f64; 3], 4, 10>::from_points(core::array::from_fn(|k| {
@@ -233,15 +246,17 @@ fn continuations_that_do_not_exist() {
     }));
     let with = |lambda2| {
         let basis = TriangularCubic::new(3.0, lambda2).unwrap();
-        cubic.continued(TriangleEdge::U, apex, 1, basis, [[0.5; 3]; 10])
+        cubic.continued(
+            TriangleEdge::U,
+            TriangleContact { order: 1, apex },
+            &TriangularPatch::new(basis, [[0.5; 3]; 10]),
+        )
     };
     assert_eq!(with(0.0).map(|_| ()), Err(JoinError::Unreachable));
     let bernstein = cubic.continued(
         TriangleEdge::U,
-        apex,
-        1,
-        TriangularBernsteinBasis::<f64, 4, 10>::new(),
-        [[0.5; 3]; 10],
+        TriangleContact { order: 1, apex },
+        &TriangularBezier::<[f64; 3], 4, 10>::from_points([[0.5; 3]; 10]),
     );
     let (ours, theirs) = (with(2.0).unwrap(), bernstein.unwrap());
     assert!(ours.control_points().iter().zip(theirs.control_points()).all(|(&a, &b)| near(a, b, 1e-13)));
