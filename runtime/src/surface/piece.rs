@@ -7,7 +7,8 @@ use super::{Direction, SurfaceDomain};
 use crate::simplex::{square_row, triangle_line};
 use crate::{CurveError, CurvePiece, Point, Scalar, TriangleIndex, bernstein};
 
-/// One rational Bézier patch of a surface, in double precision: what a [`BoundedSurface`] consists of.
+/// One rational Bézier patch of a surface, in double precision: what a [`BoundedSurface`](crate::BoundedSurface) consists
+/// of.
 ///
 /// ```text
 /// S(u, v) = Σ_i Σ_j B[i,m](x) B[j,n](y) w[i,j] P[i,j] / Σ_i Σ_j B[i,m](x) B[j,n](y) w[i,j]
