@@ -32,7 +32,7 @@ fn main() {
     ];
     let dome = TriangularPatch::new(Dome::new(), points);
     for [u, v] in [[0.0_f64, 0.0], [0.5, 0.0], [0.25, 0.25], [1.0 / 3.0, 1.0 / 3.0]] {
-        let [x, y, z] = dome.eval_barycentric([u, v, 1.0 - u - v]);
+        let [x, y, z] = dome.eval_at([u, v, 1.0 - u - v]);
         let normal = dome.normal(u, v).map(|n| n.map(|c| format!("{c:6.3}")).join(" "));
         println!("({x:.3}, {y:.3}, {z:.3})   normal {}", normal.as_deref().unwrap_or("none"));
         // The height of this dome is uv + uw + vw.

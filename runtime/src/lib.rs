@@ -43,7 +43,8 @@
 //! | a tensor surface, its parts and joins | [`TensorSurface`], rational [`RationalSurface`] |
 //! | a curve that turns about an axis | [`SurfaceOfRevolution`] |
 //! | a patch on a triangle, a tetrahedron, a box, a prism | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`], [`ProductPatch`] |
-//! | normals and curvatures of all of these surfaces | the trait [`Surface`] |
+//! | normals and curvatures of all of these surfaces, over rectangles and triangles | the trait [`Surface`], [`SurfaceDomain`] |
+//! | a surface that continues another one across an edge, with a contact of any order | [`TensorSurface::continued`], [`SimplexPatch::continued`]; of splines `bspline::splice` |
 //! | how smoothly two surfaces meet | [`edge_continuity`] |
 //! | where curves, rays and lines meet surfaces | [`SurfaceMeeting`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
@@ -89,31 +90,32 @@
 //! | where it meets a surface: `surface_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
-//! | the image under an affine map, of any library of points: `map` | yes | yes | yes | yes | no: the image has a type of its own |
+//! | the image under an affine map, a closure or [one of the library of points](AffineMap): `map`, `transform` | yes | yes | yes | yes | no: the image has a type of its own |
 //!
 //! # Surfaces of all types
 //!
 //! The trait [`Surface`] is what every surface answers; a [`BoundedSurface`] knows its rational Bézier patches, from which
 //! boxes, nearest points and meshes follow.
 //!
-//! | a surface's | [`TensorSurface`] | [`RationalSurface`] | [`SurfaceOfRevolution`] | `BSplineSurface` | `NurbsSurface` | through `dyn` |
-//! | --- | --- | --- | --- | --- | --- | --- |
-//! | points: `domain`, `eval`, `eval_grid` | yes | yes | yes | yes | yes | yes |
-//! | derivatives: `partial`, `partials_into` | yes | yes | yes | yes | yes | yes |
-//! | as an array: `eval_with_partials` | yes | yes | yes | yes | yes | no: the length is a parameter of the function |
-//! | `normal`, with its limits at poles, `curvature` | yes | yes | yes | yes | yes | yes |
-//! | rational Bézier patches: `pieces` | yes | yes | yes | yes | yes | yes |
-//! | boxes: `control_box`, `bounding_box` | yes | yes | yes | yes | yes | yes |
-//! | curves on it: `isocurve`, `boundary` | yes | yes | yes | yes | yes | no: [`Isocurve::new`] takes a `&dyn BoundedSurface` |
-//! | the area, with a bound of its error: `area` | yes | yes | yes | yes | yes | yes |
-//! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes | yes |
-//! | where rays and lines meet it: `ray_intersections`, `line_intersections` | yes | yes | yes | yes | yes | yes |
-//! | parts: `split`, `subpatch`, `reversed` | yes | yes | yes | yes | yes | no: a part has a type of its own |
-//! | the image under an affine map, of a surface of revolution under a similarity: `map` | yes | yes | yes | yes | yes | no: the image has a type of its own |
-//! | triangles within a tolerance, by a [tessellation](Tessellation): `with` | yes | yes | yes | yes | yes | yes |
+//! | a surface's | [`TensorSurface`] | [`RationalSurface`] | [`SurfaceOfRevolution`] | `BSplineSurface` | `NurbsSurface` | [`TriangularPatch`] | [`BoxPatch`] of two variables | through `dyn` |
+//! | --- | --- | --- | --- | --- | --- | --- | --- | --- |
+//! | points: `domain`, `eval`, `eval_checked`, `eval_clamped`, `eval_grid` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | derivatives: `partial`, `partials_into` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | as an array: `eval_with_partials` | yes | yes | yes | yes | yes | yes | yes | no: the length is a parameter of the function |
+//! | `normal`, with its limits at poles, `curvature` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | rational Bézier patches: `pieces` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | boxes: `control_box`, `bounding_box` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | curves on it: `isocurve`, `boundary` | yes | yes | yes | yes | yes | yes | yes | no: [`Isocurve::new`] takes a `&dyn BoundedSurface` |
+//! | the area, with a bound of its error: `area` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | where rays and lines meet it: `ray_intersections`, `line_intersections` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | parts: `split`, `subpatch`, `reversed` | yes | yes | yes | yes | yes | no: a part over a rectangle is no triangle; it has `split_edge` and `part` | yes | no: a part has a type of its own |
+//! | the image under an affine map, a closure or [one of the library of points](AffineMap), of a surface of revolution under a similarity: `map`, `transform` | yes | yes | yes | yes | yes | yes | yes | no: the image has a type of its own |
+//! | triangles within a tolerance, by a [tessellation](Tessellation): `with` | yes | yes | yes | yes | yes | yes | yes | yes |
 //!
-//! [`edge_continuity`] measures how smoothly two surfaces of any types meet along an edge. Triangular patches are surfaces by
-//! [`to_tensor_surface`](SimplexPatch::to_tensor_surface), patches on boxes of two variables by `BSplineSurface::try_from`.
+//! [`edge_continuity`] measures how smoothly two surfaces of any types meet along an edge. The parameters are those of a
+//! rectangle or of a triangle, [`SurfaceDomain`], with the same four edges; generic code that asks the domain for parameters is
+//! right for both.
 //!
 //! # Points
 //!
@@ -186,6 +188,7 @@ extern crate std;
 #[doc(hidden)]
 #[path = "macro_support.rs"]
 pub mod __private;
+mod affine;
 mod basis;
 pub mod bernstein;
 mod boxes;
@@ -226,6 +229,7 @@ mod surface;
 #[allow(dead_code)] // some of it only with some features
 mod vector;
 
+pub use affine::AffineMap;
 pub use basis::{Array, Basis, Rounding};
 #[cfg(feature = "macros")]
 pub use basis_macros::basis;
@@ -272,6 +276,8 @@ pub use rational::{RationalBezier, RationalSpline};
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};
 pub use scalar::{FUSED_HERE, Scalar};
+#[cfg(feature = "alloc")]
+pub use simplex::TriangleContact;
 pub use simplex::{
     EdgeBasis, SimplexBasis, SimplexIndex, SimplexPatch, TetrahedronIndex, TriangleEdge, TriangleIndex,
     TriangularBasis, TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf,
@@ -281,7 +287,7 @@ pub use simplex::{
 pub use surface::{Area, BoundedSurface, Isocurve, SurfacePiece};
 pub use surface::{
     BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, RationalPatchOf,
-    RationalSurface, ScalarOf, Surface, TensorSurface, VectorOf, edge_continuity,
+    RationalSurface, ScalarOf, Surface, SurfaceDomain, TensorSurface, VectorOf, edge_continuity,
 };
 pub use vector::Point3;
 

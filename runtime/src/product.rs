@@ -291,11 +291,11 @@ pub(crate) fn partial<B: ProductBasis, P: Point<Scalar = B::Scalar>>(
 /// // The points of b[0,0,1,0], b[0,0,1,1], b[0,1,0,0], b[0,1,0,1], b[1,0,0,0], b[1,0,0,1].
 /// let corners = [[0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, 3.0, 0.0], [0.0, 3.0, 2.0], [4.0, 0.0, 0.0], [4.0, 0.0, 3.0]];
 /// let element = ProductPatch::new(Wedge::new(), corners);
-/// assert_eq!(element.eval([1.0, 0.0, 0.0, 1.0]), [4.0, 0.0, 3.0]);
-/// assert_eq!(element.eval([0.5, 0.5, 0.0, 0.0]), [2.0, 1.5, 1.25]);
+/// assert_eq!(element.eval_at([1.0, 0.0, 0.0, 1.0]), [4.0, 0.0, 3.0]);
+/// assert_eq!(element.eval_at([0.5, 0.5, 0.0, 0.0]), [2.0, 1.5, 1.25]);
 /// // Columns of the Jacobian matrix in u, with w = 1 - u - v, and z.
-/// assert_eq!(element.partial([0.5, 0.5, 0.0, 0.0], [1, 0, 0]), [4.0, 0.0, 0.5]);
-/// assert_eq!(element.partial([0.5, 0.5, 0.0, 0.0], [0, 0, 1]), [0.0, 0.0, 1.25]);
+/// assert_eq!(element.partial_at([0.5, 0.5, 0.0, 0.0], [1, 0, 0]), [4.0, 0.0, 0.5]);
+/// assert_eq!(element.partial_at([0.5, 0.5, 0.0, 0.0], [0, 0, 1]), [0.0, 0.0, 1.25]);
 /// # }
 /// ```
 #[derive(Clone, Copy)]
@@ -332,16 +332,18 @@ impl<B: ProductBasis, P: Point<Scalar = B::Scalar>> ProductPatch<B, P> {
         ProductPatch::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
+    crate::affine::transform!();
+
     /// The point of the patch; at the corners of the domain the Bernstein point there, exactly.
     ///
     /// Coordinates are not clamped: outside of the domain the polynomial is continued.
-    pub fn eval(&self, at: B::Coordinates) -> P {
-        self.partial(at, B::Orders::from_fn(|_| 0))
+    pub fn eval_at(&self, at: B::Coordinates) -> P {
+        self.partial_at(at, B::Orders::from_fn(|_| 0))
     }
 
     /// The partial derivative of these orders in the independent coordinates, the last one of each simplex being 1 minus the
     /// others; zero above the degrees.
-    pub fn partial(&self, at: B::Coordinates, orders: B::Orders) -> P {
+    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P {
         let mut net = self.net;
         partial::<B, P>(net.as_mut(), at, orders)
     }
@@ -353,7 +355,7 @@ impl<B: ProductBasis, P: Point<Scalar = B::Scalar>> ProductPatch<B, P> {
     }
 
     /// The lowest and the highest value of each coordinate; of barycentric ones 0 and 1.
-    pub fn domain(&self) -> [B::Coordinates; 2] {
+    pub fn corners(&self) -> [B::Coordinates; 2] {
         B::domain()
     }
 

@@ -120,7 +120,7 @@ fn factors_in_any_order() {
         near(solid.partials(at, [0, 0, 1, 0, 1])[0], 1.0);
         near(solid.partials(at, [1, 1, 0, 0, 2])[1], -2.0);
         let patch = ProductPatch::new(solid, [[1.0, 4.0], [2.0, 0.0], [-3.0, 1.0]]);
-        let [a, b] = patch.eval(at);
+        let [a, b] = patch.eval_at(at);
         near(a, b0 + 2.0 * b1 - 3.0 * b2);
         near(b, 4.0 * b0 + b2);
     }
@@ -148,7 +148,7 @@ fn a_patch_is_the_sum_of_its_points() {
     for at in prism() {
         for orders in [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [0, 2, 2]] {
             let functions = wedge.partials(at, orders);
-            let point = patch.partial(at, orders);
+            let point = patch.partial_at(at, orders);
             for c in 0..3 {
                 near(point[c], functions.iter().zip(&points).map(|(b, p)| b * p[c]).sum());
                 if orders == [0; 3] {
@@ -158,7 +158,7 @@ fn a_patch_is_the_sum_of_its_points() {
         }
     }
     let moved = patch.map(|[x, y, z]| [y, x + 1.0, 2.0 * z]);
-    let [[x, y, z], [a, b, c]] = [patch.eval([0.2, 0.3, 0.5, 0.1]), moved.eval([0.2, 0.3, 0.5, 0.1])];
+    let [[x, y, z], [a, b, c]] = [patch.eval_at([0.2, 0.3, 0.5, 0.1]), moved.eval_at([0.2, 0.3, 0.5, 0.1])];
     for (a, b) in [(a, y), (b, x + 1.0), (c, 2.0 * z)] {
         near(a, b);
     }
@@ -192,7 +192,7 @@ fn matrices_are_the_exact_ones() {
 fn single_precision() {
     let wedge: TriquadraticWedge<f32> = TriquadraticWedge::new();
     let patch = ProductPatch::new(wedge, [1.0_f32; 18]);
-    assert!((patch.eval([0.25, 0.25, 0.5, 0.5]) - 1.0).abs() < 1e-6);
+    assert!((patch.eval_at([0.25, 0.25, 0.5, 0.5]) - 1.0).abs() < 1e-6);
 }
 
 #[cfg(feature = "elements")]

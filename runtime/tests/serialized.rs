@@ -20,9 +20,10 @@ use basis_runtime::{
     MeshError, Nearest, Offset, ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting,
     ProductPatch, Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline,
     RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
-    SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke, Surface, SurfaceMeeting, SurfaceOfRevolution,
-    SurfacePiece, SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation, TriangleEdge,
-    TriangularBernsteinBasis, TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
+    SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke, Surface, SurfaceDomain, SurfaceMeeting,
+    SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation,
+    TriangleContact, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -154,6 +155,7 @@ fn bases_forms_and_curves() {
     met.into_iter().for_each(again);
     let joint = json!({ "gap": 0.5, "angle": 1.0, "curvature": 2.0, "derivatives": [0.0, 1.0, 2.0] });
     again(read::<Joint<f64>>(joint));
+    again(Contact::Scaled { order: 3, f: 0.5 });
     again(Contact::Curvature { f: 0.5, c: 2.0 });
     again(read::<Frame<P>>(json!({
         "point": [0.0, 0.0, 0.0],
@@ -212,9 +214,12 @@ fn patches_on_simplices_and_boxes() {
     again(SimplexPatch::new(TetrahedralLagrange::new(), [[1.0, 2.0], [0.5, 0.0], [0.0, 0.25], [3.0, 4.0]]));
     again(ProductPatch::new(LinearWedge::new(), core::array::from_fn(|i| [i as f64, 0.5])));
     again(BoxPatch::new(Bilinear::new(), [[0.0, 0.0], [0.0, 2.0], [4.0, 0.0], [6.0, 3.0]]));
+    again(SurfaceDomain::Rectangle([[0.0, 1.0], [-2.0, 3.0]]));
+    again(SurfaceDomain::<f64>::Triangle);
+    again(TriangleContact { order: 1, apex: [1.0, 1.0, -1.0] });
     again(TriangleEdge::V);
     again(EdgeBasis::new(TriangularII::new(1.5, 2.0).unwrap(), TriangleEdge::W));
-    again(triangle().boundary(TriangleEdge::U));
+    again(triangle().edge_curve(TriangleEdge::U));
     again(SimplexIndex::new([1, 0, 2]));
     refused(&SimplexIndex::new([1, 0, 2]), |json| *json = json!([1, 2]));
     refused(&SimplexIndex::new([1, 0, 2]), |json| *json = json!([usize::MAX, 1, 2]));

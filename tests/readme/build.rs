@@ -34,11 +34,11 @@ const BLOCKS: [Block; 4] = [
             let lattice = (0..=5_u8).flat_map(|i| (0..=5 - i).map(move |j| [f64::from(i), f64::from(j)]));
             let all: Vec<[f64; 3]> = lattice.map(|[x, y]| [x, y, 0.1 * x * y]).collect();
             let points: [[f64; 3]; 21] = all.try_into().expect(\"21 points\");
-            let family = TriangularII::new(1.0, 1.0)?;",
+            let draft = TriangularPatch::new(TriangularII::new(1.0, 1.0)?, points);",
         after: "
             assert!(point.iter().all(|x| x.is_finite()) && normal.is_some());
             assert_eq!(edge.control_points().len(), 6);
-            assert!(next.boundary(TriangleEdge::U).start().iter().all(|x| x.is_finite()));",
+            assert!(next.edge_curve(TriangleEdge::U).start().iter().all(|x| x.is_finite()));",
     },
     Block {
         name: "surfaces",

@@ -171,15 +171,15 @@ macro_rules! patches {
     (@patch simplex $basis:expr, $points:ident, $at:ident, $orders:ident) => {{
         let patch = SimplexPatch::new($basis, $points);
         match $orders.iter().all(|order| *order == 0) {
-            true => patch.eval_barycentric($at),
-            false => patch.partial($at, $orders.try_into().expect("all orders")),
+            true => patch.eval_at($at),
+            false => patch.partial_at($at, $orders.try_into().expect("all orders")),
         }
     }};
     (@patch box $basis:expr, $points:ident, $at:ident, $orders:ident) => {
-        BoxPatch::new($basis, $points).partial($at, $orders.try_into().expect("all orders"))
+        BoxPatch::new($basis, $points).partial_at($at, $orders.try_into().expect("all orders"))
     };
     (@patch product $basis:expr, $points:ident, $at:ident, $orders:ident) => {
-        ProductPatch::new($basis, $points).partial($at, $orders.try_into().expect("all orders"))
+        ProductPatch::new($basis, $points).partial_at($at, $orders.try_into().expect("all orders"))
     };
     (@degree product $type:ty) => {
         <$type as ProductBasis>::FACTORS.iter().map(degree).max().unwrap_or(0)

@@ -240,7 +240,7 @@ impl<'a> FamilySteps<'a> {
     }
 
     /// The partial derivative of a patch from its Bernstein points, of one order in each independent coordinate:
-    /// `eval_barycentric` and `eval` of patches for orders 0, else `partial`. `None` on an interval.
+    /// `eval_at` and `eval` of patches for orders 0, else `partial`. `None` on an interval.
     pub fn patch(&self, orders: &[usize]) -> Option<Steps> {
         let Form::Patch(plans) = &self.form else { return None };
         let mut builder = Builder::default();

@@ -87,7 +87,7 @@ impl Scene {
         T: Surface<Point = P>,
         P: Point3<Scalar = f64>,
     {
-        let [u, v] = surface.domain();
+        let [u, v] = surface.domain().ranges();
         for k in 0..=4 {
             let along = |of: &dyn Fn(usize) -> P| (0..=48).map(|i| components(of(i))).collect();
             let across_u = along(&|i| surface.eval(at(u, i, 48), at(v, k, 4)));
@@ -173,7 +173,7 @@ where
 {
     let mut points = Vec::new();
     for surface in surfaces {
-        let [u, v] = surface.domain();
+        let [u, v] = surface.domain().ranges();
         for i in 0..=8 {
             for j in 0..=8 {
                 points.push(components(surface.eval(at(u, i, 8), at(v, j, 8))));

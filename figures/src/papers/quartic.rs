@@ -4,7 +4,9 @@
 use std::error::Error;
 use std::f64::consts::PI;
 
-use basis_runtime::{Edge, EdgeContinuity, EdgePair, ShapeError, Surface, TensorSurface, edge_continuity};
+use basis_runtime::{
+    Contact, Edge, EdgeContinuity, EdgePair, ShapeError, Surface, TensorSurface, edge_continuity,
+};
 
 use super::families::QuarticBernstein;
 use crate::draw::scene::{Point3d, Scene, View};
@@ -136,7 +138,7 @@ fn special(
     let (mut with_normal, mut turn) = (0, 0.0_f64);
     for &pole in poles {
         for k in 0..=16 {
-            let (u, v) = pole.parameters(patch.domain(), f64::from(k) / 16.0);
+            let (u, v) = patch.domain().on_edge(pole, f64::from(k) / 16.0);
             let beside = if u == 0.0 { 1e-6 } else { 1.0 - 1e-6 };
             if let (Some(a), Some(b)) = (patch.normal(u, v), patch.normal(beside, v)) {
                 with_normal += 1;
@@ -184,6 +186,9 @@ fn second_net() -> Net {
     core::array::from_fn(|i| core::array::from_fn(|j| [i as f64, 3.6 + j as f64, Z[i][j]]))
 }
 
+/// The edges that are joined.
+const EDGES: EdgePair = EdgePair::along(Edge::VEnd, Edge::VStart);
+
 fn joined(join: &Join) -> Result<Drawing, Box<dyn Error>> {
     let (first_gammas, second_gammas) = ([0.5, 0.0, 0.3, -0.5], [-0.5, 0.3, 0.8, 0.0]);
     let (other_first, other_second) = ([1.0, -2.0, -1.0, 0.5], [0.9, -0.5, 0.0, 0.6]);
@@ -194,7 +199,7 @@ fn joined(join: &Join) -> Result<Drawing, Box<dyn Error>> {
     };
     let first = patch(0.5, first_gammas, first_net())?;
     let draft = patch(0.5, second_gammas, second_net())?;
-    let next = first.join_uu(&draft, 1, factor)?;
+    let next = first.continued(EDGES, Contact::Scaled { order: 1, f: factor }, &draft)?;
     let (lambda, gammas, [first, second], note) = match join {
         Join::Before => (
             0.5,
@@ -223,7 +228,11 @@ fn joined(join: &Join) -> Result<Drawing, Box<dyn Error>> {
         ),
         Join::OtherGammaMoved => {
             let first = patch(0.5, other_first, net_of(&first))?;
-            let next = first.join_uu(&patch(0.5, other_second, net_of(&next))?, 1, factor)?;
+            let next = first.continued(
+                EDGES,
+                Contact::Scaled { order: 1, f: factor },
+                &patch(0.5, other_second, net_of(&next))?,
+            )?;
             (
                 0.5,
                 [other_first, other_second],
@@ -234,7 +243,7 @@ fn joined(join: &Join) -> Result<Drawing, Box<dyn Error>> {
         Join::SecondOrder => (
             0.5,
             [first_gammas, second_gammas],
-            [first, first.join_uu(&draft, 2, factor)?],
+            [first, first.continued(EDGES, Contact::Scaled { order: 2, f: factor }, &draft)?],
             "Three columns are replaced (Theorem 4): the curvatures agree as well.",
         ),
     };

@@ -2,6 +2,7 @@
 
 mod bounds;
 pub(crate) mod net;
+mod surface;
 
 use core::fmt::{self, Debug, Formatter};
 
@@ -178,7 +179,7 @@ fn partial<B: BoxBasis, P: Point<Scalar = B::Scalar>>(
 
 /// Control points bound to a family on a box: `S(ξ, η, …) = Σ b[i](ξ, η, …) P[i]`.
 ///
-/// They are converted to the Bernstein form once.
+/// They are converted to the Bernstein form once. A patch of two variables is a [`Surface`](crate::Surface).
 ///
 /// ```
 /// use basis_runtime::{BoxPatch, basis};
@@ -192,9 +193,9 @@ fn partial<B: BoxBasis, P: Point<Scalar = B::Scalar>>(
 /// # fn main() {
 /// // The points of b[0,0], b[0,1], b[1,0], b[1,1].
 /// let element = BoxPatch::new(Quadrilateral::new(), [[0.0, 0.0], [0.0, 2.0], [4.0, 0.0], [6.0, 3.0]]);
-/// assert_eq!(element.eval([-1.0, 1.0]), [0.0, 2.0]);
-/// assert_eq!(element.eval([0.0, 0.0]), [2.5, 1.25]);
-/// assert_eq!(element.partial([0.0, 0.0], [1, 0]), [2.5, 0.25]); // a column of the Jacobian matrix
+/// assert_eq!(element.eval_at([-1.0, 1.0]), [0.0, 2.0]);
+/// assert_eq!(element.eval_at([0.0, 0.0]), [2.5, 1.25]);
+/// assert_eq!(element.partial_at([0.0, 0.0], [1, 0]), [2.5, 0.25]); // a column of the Jacobian matrix
 /// # }
 /// ```
 #[derive(Clone, Copy)]
@@ -223,6 +224,8 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
         BoxPatch::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
+    crate::affine::transform!();
+
     /// The same from a slice.
     ///
     /// # Errors
@@ -234,18 +237,18 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
     /// The point of the patch; at the corners of the box the Bernstein point there, exactly.
     ///
     /// Coordinates are not clamped: outside of the box the polynomial is continued.
-    pub fn eval(&self, at: B::Coordinates) -> P {
-        self.partial(at, B::Orders::from_fn(|_| 0))
+    pub fn eval_at(&self, at: B::Coordinates) -> P {
+        self.partial_at(at, B::Orders::from_fn(|_| 0))
     }
 
     /// The partial derivative of these orders in the coordinates; zero above the degrees.
-    pub fn partial(&self, at: B::Coordinates, orders: B::Orders) -> P {
+    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P {
         let mut net = self.net;
         partial::<B, P>(net.as_mut(), at, orders)
     }
 
     /// The lowest and the highest corner of the box.
-    pub fn domain(&self) -> [B::Coordinates; 2] {
+    pub fn corners(&self) -> [B::Coordinates; 2] {
         B::domain()
     }
 

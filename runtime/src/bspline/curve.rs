@@ -7,8 +7,8 @@ use core::ops::Range;
 
 use super::functions::combine;
 use super::{KnotError, KnotVector, SplineError, slices};
-use crate::curve::{divisible, inside, nonempty};
-use crate::geometry::{backwards, possible, replace_first};
+use crate::curve::{backwards, divisible, inside, nonempty};
+use crate::geometry::{possible, replace_first};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::largest_component;
@@ -135,6 +135,8 @@ impl<P: Point> BSplineCurve<P> {
         let points = self.points.iter().copied().map(image).collect();
         BSplineCurve { knots: self.knots.clone(), points }
     }
+
+    crate::affine::transform!();
 
     /// The degree `k`.
     #[inline]

@@ -12,7 +12,7 @@ use crate::curve::{divisible, nonempty};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::surface::partials_by_number;
-use crate::{BoundedSurface, CurveError, Edge, Nearest, Point, Scalar, Surface, SurfacePiece};
+use crate::{BoundedSurface, CurveError, Edge, Nearest, Point, Scalar, Surface, SurfaceDomain, SurfacePiece};
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
 ///
@@ -78,6 +78,8 @@ impl<P: Point> BSplineSurface<P> {
         BSplineSurface { u: self.u.clone(), v: self.v.clone(), net: self.net.map(image) }
     }
 
+    crate::affine::transform!();
+
     /// The degrees in both directions.
     #[inline]
     pub fn degrees(&self) -> [usize; 2] {
@@ -109,10 +111,10 @@ impl<P: Point> BSplineSurface<P> {
         self.net[index] = point;
     }
 
-    /// The ends of the domain of each parameter.
+    /// The rectangle of the parameters.
     #[inline]
-    pub fn domain(&self) -> [[P::Scalar; 2]; 2] {
-        [self.u.domain(), self.v.domain()]
+    pub fn domain(&self) -> SurfaceDomain<P::Scalar> {
+        SurfaceDomain::Rectangle([self.u.domain(), self.v.domain()])
     }
 
     /// The point `S(u, v)`.
@@ -163,19 +165,6 @@ impl<P: Point> BSplineSurface<P> {
             }
         }
         sums
-    }
-
-    /// The point `S(u, v)` for parameters in the domain.
-    ///
-    /// # Errors
-    /// [`KnotError::Outside`], also for NaN.
-    pub fn eval_checked(&self, u: P::Scalar, v: P::Scalar) -> Result<P, KnotError> {
-        Ok(self.eval(self.u.check(u)?, self.v.check(v)?))
-    }
-
-    /// The point at the parameters of the domain that are nearest to `u` and `v`.
-    pub fn eval_clamped(&self, u: P::Scalar, v: P::Scalar) -> P {
-        self.eval(self.u.clamp(u), self.v.clamp(v))
     }
 
     /// The partial derivative of these orders in `u` and `v`; the point itself for `[0, 0]`.
@@ -405,7 +394,7 @@ impl<P: Point> BSplineSurface<P> {
 impl<P: Point> Surface for BSplineSurface<P> {
     type Point = P;
 
-    fn domain(&self) -> [[P::Scalar; 2]; 2] {
+    fn domain(&self) -> SurfaceDomain<P::Scalar> {
         self.domain()
     }
 

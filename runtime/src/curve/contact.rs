@@ -25,13 +25,21 @@ pub enum Contact<S> {
         /// Any number; it moves the second derivative along the tangent.
         c: S,
     },
+    /// Parametric continuity after a change of the speed: `fᵏ Q⁽ᵏ⁾ = P⁽ᵏ⁾` for all `k` up to this order, and so geometric
+    /// continuity of that order.
+    Scaled {
+        /// The order.
+        order: usize,
+        /// How many times as long the velocity of P is, positive.
+        f: S,
+    },
 }
 
 impl<S: Scalar> Contact<S> {
     /// The highest derivative that is prescribed.
     pub fn order(&self) -> usize {
         match *self {
-            Self::Parametric { order } => order,
+            Self::Parametric { order } | Self::Scaled { order, .. } => order,
             Self::Tangent { .. } => 1,
             Self::Curvature { .. } => 2,
         }
@@ -41,7 +49,7 @@ impl<S: Scalar> Contact<S> {
     fn factors(&self) -> Result<Option<(S, S)>, CurveError> {
         let (f, c) = match *self {
             Self::Parametric { .. } => return Ok(None),
-            Self::Tangent { f } => (f, S::ZERO),
+            Self::Tangent { f } | Self::Scaled { f, .. } => (f, S::ZERO),
             Self::Curvature { f, c } => (f, c),
         };
         if !(f > S::ZERO && f.is_finite()) {
@@ -57,6 +65,11 @@ impl<S: Scalar> Contact<S> {
     pub(crate) fn transform<P: Point<Scalar = S>>(&self, derivatives: &mut [P]) -> Result<(), CurveError> {
         if let (Some((f, c)), [_, first, rest @ ..]) = (self.factors()?, derivatives) {
             let inverse = S::ONE / f;
+            let mut power = inverse * inverse;
+            for higher in rest.iter_mut().skip(1) {
+                power = power * inverse;
+                *higher = higher.scale(power);
+            }
             *first = first.scale(inverse);
             if let Some(second) = rest.first_mut() {
                 *second = second.add_scaled(*first, -c).scale(inverse * inverse);
@@ -64,6 +77,13 @@ impl<S: Scalar> Contact<S> {
         }
         Ok(())
     }
+}
+
+/// The derivatives at the end of the same curve in the other direction.
+#[cfg(feature = "alloc")]
+pub(crate) fn backwards<P: Point>(derivatives: &[P]) -> alloc::vec::Vec<P> {
+    let sign = |k: usize| if k.is_multiple_of(2) { P::Scalar::ONE } else { -P::Scalar::ONE };
+    derivatives.iter().enumerate().map(|(k, p)| p.scale(sign(k))).collect()
 }
 
 /// An end of a curve.

@@ -25,6 +25,8 @@ use crate::{Array, Basis, CountError, Form, Point, Scalar};
 
 pub use contact::Contact;
 #[cfg(feature = "alloc")]
+pub(crate) use contact::backwards;
+#[cfg(feature = "alloc")]
 pub(crate) use contact::eliminate_in;
 pub(crate) use contact::{End, eliminate, touching};
 pub use error::CurveError;
@@ -117,6 +119,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     pub fn map<Q: Point<Scalar = B::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> Curve<B, Q> {
         Curve::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
+
+    crate::affine::transform!();
 
     /// The point `C(t)`.
     ///

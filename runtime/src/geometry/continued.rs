@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{CurveScalar, ParametricCurve};
+use crate::curve::backwards;
 use crate::numeric::binomial::binomial;
 use crate::vector::is_finite;
 use crate::{
@@ -59,12 +60,6 @@ pub(crate) fn possible<C: JoinableCurve>(
 ) -> Result<(), CurveError> {
     let (most, found) = (curve.highest_contact(), derivatives.len().saturating_sub(1));
     if found > most { Err(CurveError::Contact { family, most, found }) } else { Ok(()) }
-}
-
-/// The derivatives at the end of the same curve in the other direction.
-pub(crate) fn backwards<P: Point>(derivatives: &[P]) -> Vec<P> {
-    let sign = |k: usize| if k.is_multiple_of(2) { P::Scalar::ONE } else { -P::Scalar::ONE };
-    derivatives.iter().enumerate().map(|(k, p)| p.scale(sign(k))).collect()
 }
 
 /// Replaces the first points so that `Σ_i row(k)[i] points[i] = derivatives[k]`, where the entries of a row behind the

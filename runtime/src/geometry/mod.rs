@@ -19,7 +19,6 @@ mod pierce;
 
 pub use closest::Closest;
 pub use continued::JoinableCurve;
-pub(crate) use continued::backwards;
 #[cfg(feature = "bspline")]
 pub(crate) use continued::{numerators, possible, replace_first};
 pub(crate) use convert::clamped;

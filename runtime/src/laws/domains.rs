@@ -18,7 +18,7 @@ struct OnProduct<B>(B);
 
 /// What all three say alike.
 macro_rules! patches {
-    ($($wrapper:ident: $basis:ident, $patch:ident, $eval:ident, $low:expr, $high:expr, $factor:expr;)+) => {$(
+    ($($wrapper:ident: $basis:ident, $patch:ident, $low:expr, $high:expr, $factor:expr;)+) => {$(
         impl<B: $basis> Patches for $wrapper<B> {
             type Scalar = B::Scalar;
             type Coordinates = B::Coordinates;
@@ -51,8 +51,8 @@ macro_rules! patches {
             ) -> B::Scalar {
                 let patch = $patch::new(self.0, points);
                 match orders {
-                    Some(orders) => patch.partial(at, B::Orders::from_fn(|i| orders[i])),
-                    None => patch.$eval(at),
+                    Some(orders) => patch.partial_at(at, B::Orders::from_fn(|i| orders[i])),
+                    None => patch.eval_at(at),
                 }
             }
 
@@ -73,12 +73,12 @@ fn simplex<B: SimplexBasis>(index: usize) -> Option<DomainFactor> {
 }
 
 patches! {
-    OnSimplex: SimplexBasis, SimplexPatch, eval_barycentric,
+    OnSimplex: SimplexBasis, SimplexPatch,
         |_| crate::Scalar::ZERO, |_| crate::Scalar::ONE, simplex::<B>;
-    OnBox: BoxBasis, BoxPatch, eval,
+    OnBox: BoxBasis, BoxPatch,
         |i: usize| B::domain()[0].as_ref()[i], |i: usize| B::domain()[1].as_ref()[i],
         |index: usize| B::DEGREES.get(index).map(|&degree| DomainFactor::Interval { degree });
-    OnProduct: ProductBasis, ProductPatch, eval,
+    OnProduct: ProductBasis, ProductPatch,
         |i: usize| B::domain()[0].as_ref()[i], |i: usize| B::domain()[1].as_ref()[i],
         |index: usize| B::FACTORS.get(index).copied();
 }

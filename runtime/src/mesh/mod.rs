@@ -29,7 +29,7 @@ pub struct Vertex<S> {
     /// The unit normal, towards the side from which the triangles turn counter-clockwise; zero if all triangles of the
     /// vertex have no area.
     pub normal: [S; 3],
-    /// The parameters, scaled so that the domain of the surface is the unit square.
+    /// The parameters, scaled so that the domain of the surface is the unit square; over a triangle as they are.
     pub uv: [S; 2],
     /// The number of the surface, in the order in which they were added.
     pub surface: u32,

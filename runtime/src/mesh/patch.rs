@@ -2,7 +2,8 @@
 
 use alloc::vec::Vec;
 
-use crate::{BoundedSurface, Point, Point3, Scalar, Surface, SurfacePiece};
+use crate::domain::from_unit;
+use crate::{BoundedSurface, Point, Point3, Scalar, Surface, SurfaceDomain, SurfacePiece};
 
 /// A surface without its types, on the unit square.
 pub(super) trait Patch<S> {
@@ -10,10 +11,12 @@ pub(super) trait Patch<S> {
     fn point(&self, x: [S; 2]) -> [S; 3];
     /// The unit normal, if there is one.
     fn normal(&self, x: [S; 2]) -> Option<[S; 3]>;
-    /// The rational Bézier patches of the surface.
+    /// The rational Bézier patches of the surface, those of a triangle over the unit square.
     fn bezier(&self) -> Vec<SurfacePiece>;
-    /// The parameter in one direction of a number between 0 and 1.
+    /// The parameter in one direction of a number between 0 and 1, over the unit square that of a triangle itself.
     fn parameter(&self, axis: usize, x: S) -> f64;
+    /// The parameters, scaled to the unit square or the triangle, at a place of the unit square.
+    fn uv(&self, x: [S; 2]) -> [S; 2];
 }
 
 impl<T, P> Patch<P::Scalar> for T
@@ -22,34 +25,29 @@ where
     P: Point3,
 {
     fn point(&self, x: [P::Scalar; 2]) -> [P::Scalar; 3] {
-        let [u, v] = parameters(self, x);
+        let (u, v) = self.domain().at(x[0], x[1]);
         components(self.eval(u, v))
     }
 
     fn normal(&self, x: [P::Scalar; 2]) -> Option<[P::Scalar; 3]> {
-        let [u, v] = parameters(self, x);
+        let (u, v) = self.domain().at(x[0], x[1]);
         Surface::normal(self, u, v).map(components)
     }
 
     fn bezier(&self) -> Vec<SurfacePiece> {
-        self.pieces()
+        self.pieces().into_iter().map(SurfacePiece::on_square).collect()
     }
 
     fn parameter(&self, axis: usize, x: P::Scalar) -> f64 {
-        parameters(self, [x; 2])[axis].to_f64()
+        from_unit(self.domain().ranges()[axis], x).to_f64()
     }
-}
 
-/// Exact at both ends of the domain.
-fn parameters<T: Surface>(
-    surface: &T,
-    x: [<T::Point as Point>::Scalar; 2],
-) -> [<T::Point as Point>::Scalar; 2] {
-    let ranges = surface.domain();
-    [0, 1].map(|k| {
-        let [lo, hi] = ranges[k];
-        lo * (<T::Point as Point>::Scalar::ONE - x[k]) + hi * x[k]
-    })
+    fn uv(&self, x: [P::Scalar; 2]) -> [P::Scalar; 2] {
+        match self.domain() {
+            SurfaceDomain::Rectangle(_) => x,
+            SurfaceDomain::Triangle => SurfaceDomain::Triangle.at(x[0], x[1]).into(),
+        }
+    }
 }
 
 fn components<P: Point>(point: P) -> [P::Scalar; 3] {

@@ -293,11 +293,11 @@ impl<S: Scalar> Builder<S> {
         if let Some(vertex) = self.index[surface].get(node) {
             return vertex;
         }
-        let uv = node.map(unit);
+        let place = node.map(unit);
         let vertex = self.vertices.len() as u32;
-        self.points.push(patch.point(uv));
-        let normal = patch.normal(uv).unwrap_or([S::ZERO; 3]);
-        self.vertices.push(Vertex { position: vertex, normal, uv, surface: surface as u32 });
+        self.points.push(patch.point(place));
+        let normal = patch.normal(place).unwrap_or([S::ZERO; 3]);
+        self.vertices.push(Vertex { position: vertex, normal, uv: patch.uv(place), surface: surface as u32 });
         self.index[surface].insert(node, vertex);
         vertex
     }

@@ -4,4 +4,6 @@ pub(crate) mod binomial;
 pub(crate) mod elementary;
 #[cfg(any(feature = "elements", feature = "geometry"))]
 pub(crate) mod gauss;
+#[cfg(feature = "alloc")]
+pub(crate) mod linear;
 pub(crate) mod simd;

@@ -15,8 +15,8 @@ pub use offset::{LineCap, LineJoin, Offset, Stroke};
 pub use segment::PathSegment;
 pub use svg::{SvgError, SvgMistake, to_svg};
 
+use crate::curve::backwards;
 use crate::curve::{divisible, nonempty};
-use crate::geometry::backwards;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::{CurveError, CurvePiece, JoinableCurve, ParametricCurve, Point, Scalar};
@@ -122,6 +122,8 @@ impl<P: Point> Path<P> {
     pub fn map<Q: Point<Scalar = P::Scalar>>(&self, mut map: impl FnMut(P) -> Q) -> Path<Q> {
         Path { segments: self.segments.iter().map(|segment| segment.map(&mut map)).collect() }
     }
+
+    crate::affine::transform!();
 
     /// The segment of a parameter, and the parameter `0 <= x <= 1` on it. Parameters outside of the domain belong to the
     /// first and the last segment, which are continued; NaN belongs to the first.

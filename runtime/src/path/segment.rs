@@ -128,6 +128,8 @@ impl<P: Point> PathSegment<P> {
         PathSegment { points: self.points.iter().copied().map(map).collect(), weights: self.weights.clone() }
     }
 
+    crate::affine::transform!();
+
     /// The point and its derivatives, from Leibniz' rule for numerator and denominator.
     pub(super) fn derivatives_into(&self, x: P::Scalar, derivatives: &mut [P]) {
         let mut scratch = self.points.clone();

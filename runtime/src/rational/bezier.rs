@@ -98,6 +98,8 @@ impl<P: Point> RationalBezier<P> {
         RationalBezier { domain: self.domain, numerator, weights: self.weights.clone() }
     }
 
+    crate::affine::transform!();
+
     /// The weights.
     #[inline]
     pub fn weights(&self) -> &[P::Scalar] {

@@ -68,6 +68,8 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
         RationalCurve::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
+    crate::affine::transform!();
+
     /// The curve of that basis over these control points, one for each basis function.
     pub fn new(basis: B, points: B::Points<P>) -> Self {
         let chart = basis.chart();

@@ -180,6 +180,8 @@ impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> SpannedCurve<B, P> {
         SpannedCurve::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
+    crate::affine::transform!();
+
     /// The curves of which it consists, in the order of their domains.
     #[inline]
     pub fn spans(&self) -> &[RationalCurve<SpanOf<B>, P>] {

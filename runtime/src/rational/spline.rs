@@ -55,6 +55,8 @@ impl<P: Point> RationalSpline<P> {
         RationalSpline { curves: self.curves.iter().map(|curve| curve.map(&mut image)).collect() }
     }
 
+    crate::affine::transform!();
+
     /// The curve at a parameter, and the parameter of that curve.
     fn locate(&self, t: P::Scalar) -> (usize, P::Scalar) {
         let begun = |k: &usize| t >= P::Scalar::from_usize(*k);

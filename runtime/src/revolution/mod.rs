@@ -13,6 +13,7 @@ use crate::surface::partials_by_number;
 use crate::vector::{any_perpendicular, cross, direction, distance, dot, is_finite, length, recast};
 use crate::{
     Array, Basis, BernsteinOf, BezierOf, Curve, CurveError, Direction, Point, Point3, Scalar, Surface,
+    SurfaceDomain,
 };
 #[cfg(feature = "bspline")]
 pub(crate) use circle::Arcs;
@@ -190,6 +191,15 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         SurfaceOfRevolution::new(&self.generatrix.map(image), origin, axis, self.angle)
     }
 
+    /// The image under a similarity of the library of the points, see [`AffineMap`](crate::AffineMap); as by
+    /// [`map`](Self::map).
+    ///
+    /// # Errors
+    /// As [`map`](Self::map).
+    pub fn transform(&self, by: &impl crate::AffineMap<P>) -> Result<Self, RevolutionError> {
+        self.map(|point| by.image(point))
+    }
+
     /// The meridian at the angle `v`: the generatrix, turned by that angle.
     pub fn meridian(&self, v: B::Scalar) -> Curve<B, P> {
         let [cos, sin] = circle::direction(v);
@@ -212,7 +222,7 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         along: Direction,
         at: P::Scalar,
     ) -> Result<[SurfaceOfRevolution<BernsteinOf<B>, P>; 2], CurveError> {
-        let [[u_lo, u_hi], [v_lo, v_hi]] = self.domain();
+        let [[u_lo, u_hi], [v_lo, v_hi]] = self.domain().ranges();
         match along {
             Direction::U => {
                 divisible([u_lo, u_hi], at)?;
@@ -236,7 +246,7 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         u: Range<P::Scalar>,
         v: Range<P::Scalar>,
     ) -> Result<SurfaceOfRevolution<BernsteinOf<B>, P>, CurveError> {
-        let [u_domain, v_domain] = self.domain();
+        let [u_domain, v_domain] = self.domain().ranges();
         nonempty(u_domain, &u)?;
         nonempty(v_domain, &v)?;
         let part = |curve: &Curve<B, P>| curve.subsegment(u.clone());
@@ -249,7 +259,7 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     /// its normals turn to the other side.
     #[must_use]
     pub fn reversed(&self, along: Direction) -> SurfaceOfRevolution<BernsteinOf<B>, P> {
-        let [_, [lo, hi]] = self.domain();
+        let [_, [lo, hi]] = self.domain().ranges();
         let curves = [&self.generatrix, &self.centres, &self.radii, &self.quarters];
         match along {
             Direction::U => self.turned(curves.map(Curve::reversed), lo..hi),
@@ -304,8 +314,8 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> Surface for SurfaceOfRevolution<B,
     type Point = P;
 
     #[inline]
-    fn domain(&self) -> [[P::Scalar; 2]; 2] {
-        [B::domain(), [P::Scalar::ZERO, self.angle]]
+    fn domain(&self) -> SurfaceDomain<P::Scalar> {
+        SurfaceDomain::Rectangle([B::domain(), [P::Scalar::ZERO, self.angle]])
     }
 
     #[inline]

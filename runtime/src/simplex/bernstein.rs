@@ -11,7 +11,7 @@ use crate::{Array, BernsteinForm, Point, Scalar};
 /// edge: `b[i,j,k](u, v, w) = n!/(i! j! k!) u^i v^j w^k`.
 ///
 /// Patches over it are [`TriangularBezier`] patches. Every triangular patch has this form:
-/// [`TriangularPatch::to_bezier`](crate::SimplexPatch::to_bezier), and the parts that `split` and `part` return.
+/// [`TriangularPatch::to_bezier`](crate::SimplexPatch::to_bezier), and the parts that `split_edge` and `part` return.
 ///
 /// ```
 /// use basis_runtime::{SimplexBasis, TriangularBernsteinBasis};
@@ -137,7 +137,7 @@ pub type TriangularBernsteinOf<B> = <<B as TriangularBasis>::EdgeBernstein<()> a
 /// use basis_runtime::TriangularBezier;
 ///
 /// let patch = TriangularBezier::<f64, 3, 6>::from_points([0.0, 0.0, 4.0, 2.0, 1.0, 8.0]);
-/// assert_eq!(patch.eval_barycentric([0.5, 0.5, 0.0]), 3.5);
+/// assert_eq!(patch.eval_at([0.5, 0.5, 0.0]), 3.5);
 /// ```
 pub type TriangularBezier<P, const N: usize, const T: usize> =
     TriangularPatch<TriangularBernsteinBasis<<P as Point>::Scalar, N, T>, P>;

@@ -20,9 +20,9 @@ use crate::{Array, Basis, Point, Scalar};
 /// # fn main() {
 /// // The points of w = 1, v = 1, u = 1.
 /// let patch = TriangularPatch::new(Linear::new(), [[0.0, 0.0], [0.0, 1.0], [4.0, 0.0]]);
-/// let edge = patch.boundary(TriangleEdge::W);
+/// let edge = patch.edge_curve(TriangleEdge::W);
 /// assert_eq!((edge.start(), edge.end()), ([4.0, 0.0], [0.0, 1.0]));
-/// assert_eq!(edge.eval(0.25), patch.eval_barycentric(TriangleEdge::W.point(0.25)));
+/// assert_eq!(edge.eval(0.25), patch.eval_at(TriangleEdge::W.point(0.25)));
 /// assert_eq!(TriangleEdge::W.index(1, 0), TriangleIndex::new([1, 0, 0]));
 /// # }
 /// ```

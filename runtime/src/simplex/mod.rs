@@ -17,9 +17,13 @@ use core::fmt::Debug;
 pub use bernstein::{TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf};
 pub use edge::{EdgeBasis, TriangleEdge};
 pub use index::{SimplexIndex, TetrahedronIndex, TriangleIndex};
+#[cfg(feature = "alloc")]
+pub use join::TriangleContact;
 #[cfg(feature = "elements")]
 pub(crate) use net::raised;
-pub(crate) use net::simplex_sum;
+#[cfg(feature = "geometry")]
+pub(crate) use net::triangle_line;
+pub(crate) use net::{simplex_sum, square_row};
 pub use patch::{SimplexPatch, TriangularPatch};
 
 use crate::basis::combination;

@@ -6,6 +6,7 @@
 use super::index::TriangleIndex;
 #[cfg(feature = "elements")]
 use super::index::lattice_size;
+use crate::bernstein::elevate;
 use crate::{Point, Scalar};
 
 /// One step down: `c[β] = Σ_j a[j] c[β + e_j]` for all `β` of the order `n - 1`, in place.
@@ -154,6 +155,38 @@ pub(crate) fn triangle_point<P: Point>(net: &[P], factors: &[f64], [u, v, w]: [P
         end = start;
     }
     sum
+}
+
+/// The row `i` of the net of the same patch over the unit square, `u = x`, `v = (1 - x) y`: of its `n + 1` rows with as
+/// many points, that row is the curve over `net[i, k, n - i - k]`, `k = 0, …, n - i`, with its degree raised to `n`.
+#[inline]
+pub(crate) fn square_row<P: Point>(net: &[P], n: usize, i: usize, row: &mut [P]) {
+    let first = TriangleIndex::new([i, 0, n - i]).position();
+    elevate(&net[first..=first + n - i], row);
+}
+
+/// The control points of the polynomial along a straight line in the triangle, from the barycentric coordinates of both ends.
+#[cfg(feature = "geometry")]
+#[inline]
+pub(crate) fn triangle_line<P: Point>(
+    net: &[P],
+    n: usize,
+    [from, to]: [[P::Scalar; 3]; 2],
+) -> alloc::vec::Vec<P> {
+    // The point k is the blossom with n - k arguments at the start and k at the end.
+    let mut start = net.to_vec();
+    let mut points = alloc::vec![P::zero(); n + 1];
+    for i in 0..=n {
+        let mut rest = start.clone();
+        for m in (1..=n - i).rev() {
+            contract(&mut rest, m, &to);
+        }
+        points[n - i] = rest[0];
+        if i < n {
+            contract(&mut start, n - i, &from);
+        }
+    }
+    points
 }
 
 /// The net of the part of a triangular patch in a smaller triangle: the corner at `place` is moved to the point `at`.

@@ -46,12 +46,12 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// use basis_runtime::{TriangleEdge, TriangularBezier};
     ///
     /// let patch = TriangularBezier::<f64, 3, 6>::from_points([0.0, 0.0, 4.0, 2.0, 1.0, 8.0]);
-    /// let [first, second] = patch.split(TriangleEdge::W, 0.5); // from the corner u = 1 to the corner v = 1
-    /// assert_eq!(first.eval_barycentric([1.0, 0.0, 0.0]), 8.0);
-    /// assert_eq!(first.eval_barycentric([0.0, 1.0, 0.0]), 3.5);
-    /// assert_eq!(second.boundary(TriangleEdge::V).control_points(), [0.0, 1.0, 3.5]);
+    /// let [first, second] = patch.split_edge(TriangleEdge::W, 0.5); // from the corner u = 1 to the corner v = 1
+    /// assert_eq!(first.eval_at([1.0, 0.0, 0.0]), 8.0);
+    /// assert_eq!(first.eval_at([0.0, 1.0, 0.0]), 3.5);
+    /// assert_eq!(second.edge_curve(TriangleEdge::V).control_points(), [0.0, 1.0, 3.5]);
     /// ```
-    pub fn split(&self, edge: TriangleEdge, t: P::Scalar) -> [TriangularBezierOf<B, P>; 2] {
+    pub fn split_edge(&self, edge: TriangleEdge, t: P::Scalar) -> [TriangularBezierOf<B, P>; 2] {
         let [start, end] = edge.corners();
         let at = edge.point(t);
         [end, start].map(|place| bezier::<B, P>(&moved_corner(self.to_bernstein(), B::DEGREE, place, at)))
@@ -70,7 +70,7 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// let patch = TriangularBezier::<f64, 3, 6>::from_points([0.0, 0.0, 4.0, 2.0, 1.0, 8.0]);
     /// // The half on the side of the corner u = 1, cut from the corner v = 1 to the middle of the opposite edge.
     /// let half = patch.part([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.0, 0.5]]);
-    /// assert_eq!(half.eval_barycentric([0.25, 0.25, 0.5]), patch.eval_barycentric([0.5, 0.25, 0.25]));
+    /// assert_eq!(half.eval_at([0.25, 0.25, 0.5]), patch.eval_at([0.5, 0.25, 0.25]));
     /// ```
     pub fn part(&self, corners: [[B::Scalar; 3]; 3]) -> TriangularBezierOf<B, P> {
         // The point of the index (i, j, k) is the blossom of i times the first corner, j times the second, k times the

@@ -28,7 +28,7 @@ use crate::{Array, CountError, Curve, Point, Point3, Scalar};
 /// let patch = TriangularPatch::new(Quadratic::new(), points);
 ///
 /// assert_eq!(patch.eval(1.0, 0.0), [2.0, 0.0, 0.0]); // the corner u = 1
-/// assert_eq!(patch.eval(0.25, 0.25), patch.eval_barycentric([0.25, 0.25, 0.5]));
+/// assert_eq!(patch.eval(0.25, 0.25), patch.eval_at([0.25, 0.25, 0.5]));
 /// let [[point, along_v], [along_u, _]] = patch.eval_with_partials::<2>(0.25, 0.25);
 /// assert_eq!((along_u, along_v), ([2.0, 0.0, 0.5], [0.0, 2.0, 0.5]));
 /// assert_eq!(point, [0.5, 0.5, 0.625]);
@@ -57,8 +57,8 @@ pub type TriangularPatch<B, P> = SimplexPatch<B, P>;
 /// // A temperature at the corners x = 1, w = 1, v = 1, u = 1, and its rates of change.
 /// let temperature = SimplexPatch::new(Solid::new(), [10.0, 20.0, 30.0, 50.0]);
 /// assert_eq!(temperature.control_point(TetrahedronIndex::new([1, 0, 0, 0])), Some(50.0));
-/// assert_eq!(temperature.eval_barycentric([0.25, 0.25, 0.25, 0.25]), 27.5);
-/// assert_eq!(temperature.partial([0.25, 0.25, 0.25, 0.25], [1, 0, 0]), 40.0);
+/// assert_eq!(temperature.eval_at([0.25, 0.25, 0.25, 0.25]), 27.5);
+/// assert_eq!(temperature.partial_at([0.25, 0.25, 0.25, 0.25], [1, 0, 0]), 40.0);
 /// assert_eq!(temperature.derivative([0.25, 0.25, 0.25, 0.25], [1.0, -1.0, 0.0, 0.0], 1), 20.0);
 /// # }
 /// ```
@@ -88,6 +88,8 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         SimplexPatch::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
+    crate::affine::transform!();
+
     /// The same from a slice.
     ///
     /// # Errors
@@ -104,8 +106,9 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         finish(net.as_mut(), degree, at.as_ref())
     }
 
-    /// The partial derivative of these orders in the coordinates but the last, which is 1 minus their sum.
-    pub fn partial(&self, at: B::Coordinates, orders: B::Orders) -> P {
+    /// The partial derivative of these orders in the coordinates but the last, which is 1 minus their sum; zero above the
+    /// degree.
+    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P {
         let mut net = self.net;
         let degree = partial::<P, B::Coordinates>(net.as_mut(), B::DEGREE, orders.as_ref());
         finish(net.as_mut(), degree, at.as_ref())
@@ -113,7 +116,7 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
 
     /// The point with these barycentric coordinates; at the corners of the domain the Bernstein point there, exactly.
     #[inline]
-    pub fn eval_barycentric(&self, at: B::Coordinates) -> P {
+    pub fn eval_at(&self, at: B::Coordinates) -> P {
         if let [u, v, w] = *at.as_ref() {
             return triangle_point(self.net.as_ref(), B::MULTINOMIALS, [u, v, w], B::DEGREE);
         }
@@ -153,7 +156,12 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// Coordinates are not clamped: outside of the triangle the polynomial is continued.
     #[inline]
     pub fn eval(&self, u: B::Scalar, v: B::Scalar) -> P {
-        self.eval_barycentric([u, v, B::Scalar::ONE - u - v])
+        self.eval_at([u, v, B::Scalar::ONE - u - v])
+    }
+
+    /// The partial derivative `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` of `S(u, v, 1 - u - v)` of the orders `[i, j]`.
+    pub fn partial(&self, u: B::Scalar, v: B::Scalar, orders: [usize; 2]) -> P {
+        self.partial_at([u, v, B::Scalar::ONE - u - v], B::Orders::from_fn(|k| orders[k]))
     }
 
     /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` of `S(u, v, 1 - u - v)` for all `i, j < K`; `[0][0]` is
@@ -201,8 +209,9 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// The boundary curve along an edge, from its start to its end, over the interval from 0 to 1.
     ///
     /// When the family allows it, its control points are those of the edge, and its family the restriction of the basis
-    /// to the edge; otherwise it is a Bézier curve. Either way it is the edge of the patch as a polynomial.
-    pub fn boundary(&self, edge: TriangleEdge) -> Curve<EdgeBasis<B>, P> {
+    /// to the edge; otherwise it is a Bézier curve. Either way it is the edge of the patch as a polynomial; of surfaces of any
+    /// type [`BoundedSurface::boundary`](crate::BoundedSurface::boundary) gives it with the parameter of the surface.
+    pub fn edge_curve(&self, edge: TriangleEdge) -> Curve<EdgeBasis<B>, P> {
         let points = if B::OWN_EDGES { self.points.as_ref() } else { self.net.as_ref() };
         let last = <B::EdgePoints<P> as Array<P>>::LEN - 1;
         let basis = EdgeBasis::new(self.basis, edge);

@@ -1,8 +1,10 @@
-//! Boxes around patches on simplices, curvatures of triangular ones, and their nearest points.
+//! Boxes around patches on simplices, and nearest points of triangular ones.
 
 use super::patch::SimplexPatch;
 use super::{SimplexBasis, TriangularBasis};
-use crate::{Curvature, Point, Point3, Scalar};
+use crate::Point;
+#[cfg(feature = "alloc")]
+use crate::SurfaceDomain;
 
 impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// The smallest axis-parallel box around the Bernstein points, as its two extreme corners: cheap, and never too
@@ -20,27 +22,6 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         self.to_tensor_surface().bounding_box()
     }
 
-    /// The area of a triangular patch in space, with a bound of its error; as
-    /// [`BoundedSurface::area`](crate::BoundedSurface::area).
-    #[cfg(feature = "geometry")]
-    pub fn area(&self, accuracy: B::Scalar) -> Option<crate::Area<B::Scalar>>
-    where
-        P: Point3,
-    {
-        crate::BoundedSurface::area(&self.to_tensor_surface(), accuracy)
-    }
-
-    /// How the patch bends at `(u, v)`, as seen from the side of `S_u × S_v`; `None` where that vanishes or anything is
-    /// not finite.
-    pub fn curvature(&self, u: B::Scalar, v: B::Scalar) -> Option<Curvature<P>>
-    where
-        P: Point3,
-    {
-        let partials = self.eval_with_partials::<3>(u, v);
-        let first = [[partials[0][0], partials[0][1]], [partials[1][0], partials[1][1]]];
-        Curvature::new(&partials, crate::surface::regular_normal(&first, [B::Scalar::ONE; 2])?)
-    }
-
     /// The point of the patch that is nearest to `point`, with the parameters `[u, v]`, where `w = 1 - u - v`; as
     /// [`TensorSurface::nearest`](crate::TensorSurface::nearest), whose promises it keeps.
     ///
@@ -56,8 +37,7 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     #[cfg(feature = "alloc")]
     pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<crate::Nearest<P, [P::Scalar; 2]>> {
         let found = self.to_tensor_surface().nearest(point, accuracy)?;
-        let [s, r] = found.at;
-        let at = [B::Scalar::ONE - s, s * (B::Scalar::ONE - r)];
-        Some(crate::Nearest { at, ..found })
+        let [x, y] = found.at;
+        Some(crate::Nearest { at: SurfaceDomain::Triangle.at(x, y).into(), ..found })
     }
 }

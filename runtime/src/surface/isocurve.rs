@@ -4,17 +4,19 @@ use alloc::vec::Vec;
 use core::fmt::{self, Debug, Formatter};
 use core::ops::Range;
 
-use super::pieces::{arc_angle, arc_place};
-use super::{BoundedSurface, Direction, ScalarOf, Surface, SurfacePiece};
-use crate::bernstein;
+use super::piece::{Line, PieceKind, arc_angle, arc_place};
+use super::{BoundedSurface, Direction, Edge, ScalarOf, Surface, SurfaceDomain};
 use crate::curve::{divisible, nonempty};
 use crate::domain::from_unit;
+use crate::numeric::binomial::binomial;
 use crate::{CurveError, CurvePiece, ParametricCurve, Point, RationalBezier, Scalar};
 
 /// The curve `v ↦ S(u, v)` or `u ↦ S(u, v)` on a surface of any type, with the parameter of the surface: what
 /// [`BoundedSurface::isocurve`] and [`BoundedSurface::boundary`] give. All that is asked of curves can be asked of it.
 ///
-/// The curve on which `u` is constant has the parameter `v`; on a surface of revolution that is the angle. Parts have
+/// The curve on which `u` is constant has the parameter `v`; on a surface of revolution that is the angle, over a triangle
+/// it ends at `1 - u`. The edge `v = 1 - u` of a triangle has the parameter `u`, and the corner `u = 1` is a curve of
+/// one point over `0 <= v <= 0`. Parts have
 /// their part of the domain; one that runs backwards over `lo <= t <= hi` is at `t` where the surface has the parameter
 /// `lo + hi - t`.
 ///
@@ -30,8 +32,7 @@ use crate::{CurveError, CurvePiece, ParametricCurve, Point, RationalBezier, Scal
 /// ```
 pub struct Isocurve<'a, T: Surface + ?Sized> {
     surface: &'a T,
-    constant: Direction,
-    at: ScalarOf<T>,
+    line: Line<ScalarOf<T>>,
     /// The part of the domain of the surface.
     domain: [ScalarOf<T>; 2],
     backwards: bool,
@@ -53,8 +54,7 @@ where
 {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.debug_struct("Isocurve")
-            .field("constant", &self.constant)
-            .field("at", &self.at)
+            .field("line", &self.line)
             .field("domain", &self.domain)
             .field("backwards", &self.backwards)
             .finish_non_exhaustive()
@@ -66,30 +66,52 @@ impl<'a, T: BoundedSurface + ?Sized> Isocurve<'a, T> {
     /// patches it is a curve of the later one; outside of the domain the formulas of the outermost patches are
     /// continued.
     pub fn new(surface: &'a T, constant: Direction, at: ScalarOf<T>) -> Self {
-        let free = usize::from(constant == Direction::U);
+        Self::on(surface, Line::Constant(constant, at))
+    }
+
+    /// The curve along an edge, also of a `&dyn BoundedSurface`.
+    pub fn along(surface: &'a T, edge: Edge) -> Self {
+        let domain = surface.domain();
+        let [u, v] = domain.ranges();
+        let line = match edge {
+            Edge::UStart => Line::Constant(Direction::U, u[0]),
+            Edge::UEnd => Line::Constant(Direction::U, u[1]),
+            Edge::VStart => Line::Constant(Direction::V, v[0]),
+            Edge::VEnd if domain == SurfaceDomain::Triangle => Line::Diagonal,
+            Edge::VEnd => Line::Constant(Direction::V, v[1]),
+        };
+        Self::on(surface, line)
+    }
+
+    fn on(surface: &'a T, line: Line<ScalarOf<T>>) -> Self {
+        let (free, at) = match line {
+            Line::Constant(Direction::U, at) => (1, at.to_f64()),
+            Line::Constant(Direction::V, at) => (0, at.to_f64()),
+            Line::Diagonal => (0, 0.0),
+        };
+        let along = match line {
+            Line::Constant(constant, _) => Line::Constant(constant, at),
+            Line::Diagonal => Line::Diagonal,
+        };
         let mut nets = surface.pieces();
         let starts = nets.iter().map(|piece| piece.domain()[1 - free][0]);
         let first = starts.clone().fold(f64::INFINITY, f64::min);
-        let here = starts.filter(|&start| start <= at.to_f64()).fold(first, f64::max);
+        let here = starts.filter(|&start| start <= at).fold(first, f64::max);
         nets.retain(|piece| piece.domain()[1 - free][0] == here);
         nets.sort_by(|a, b| a.domain()[free][0].total_cmp(&b.domain()[free][0]));
-        let arcs = nets.iter().filter(|net| net.turns && free == 1).map(|net| net.domain()[1]).collect();
-        let pieces = nets.iter().map(|net| curve_on(net, free, at.to_f64())).collect();
-        let domain = surface.domain()[free];
-        Self { surface, constant, at, domain, backwards: false, pieces, arcs }
+        let turns = nets.iter().filter(|net| free == 1 && matches!(net.kind, PieceKind::Arc));
+        let arcs = turns.map(|net| net.domain()[1]).collect();
+        let pieces = nets.iter().map(|net| net.curve_along(along)).collect();
+        Self { surface, line, domain: line.range(surface.domain()), backwards: false, pieces, arcs }
     }
 
     /// The parameters `(u, v)` of the surface at the parameter `t` of the curve.
     pub fn surface_parameters(&self, t: ScalarOf<T>) -> (ScalarOf<T>, ScalarOf<T>) {
-        let free = self.along(t);
-        match self.constant {
-            Direction::U => (self.at, free),
-            Direction::V => (free, self.at),
-        }
+        self.line.at(self.free(t))
     }
 
     /// The parameter of the surface that belongs to one of the curve, and the other way round.
-    fn along(&self, t: ScalarOf<T>) -> ScalarOf<T> {
+    fn free(&self, t: ScalarOf<T>) -> ScalarOf<T> {
         let [lo, hi] = self.domain;
         match t {
             _ if !self.backwards => t,
@@ -122,28 +144,6 @@ impl<'a, T: BoundedSurface + ?Sized> Isocurve<'a, T> {
     }
 }
 
-/// The curve on a patch at which the parameter other than the free one has that value.
-fn curve_on(net: &SurfacePiece, free: usize, at: f64) -> CurvePiece {
-    let (x, degrees, dim) = (net.place(1 - free, at), net.degrees(), net.net.dim());
-    let rows = degrees[0] + 1;
-    // The component `c` of the control points of the curve; of the weights for the dimension of the points.
-    let component = |c: usize| {
-        (0..=degrees[free]).map(move |k| {
-            let control = |l: usize| {
-                let [i, j] = if free == 0 { [k, l] } else { [l, k] };
-                if c == dim { net.net.weight(j * rows + i) } else { net.net.point(i, j)[c] }
-            };
-            bernstein::eval(&(0..=degrees[1 - free]).map(control).collect::<Vec<f64>>(), x)
-        })
-    };
-    let mut coefficients: Vec<f64> = (0..dim).flat_map(component).collect();
-    if !component(dim).all(|weight| weight > 0.0) {
-        // Nothing bounds the curve: as if a point of it were not finite.
-        coefficients.fill(f64::NAN);
-    }
-    CurvePiece::of_numerators(net.domain()[free], dim, coefficients, component(dim))
-}
-
 impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
     type Point = T::Point;
     type Part = Self;
@@ -158,7 +158,7 @@ impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
     }
 
     fn derivatives_into(&self, t: ScalarOf<T>, derivatives: &mut [T::Point]) {
-        let free = self.along(t);
+        let free = self.free(t);
         // The later piece of the surface is the earlier one of a curve that runs backwards, and at the end of a part it
         // does not belong to it.
         let earlier = if self.backwards { free > self.domain[0] } else { free == self.domain[1] };
@@ -176,9 +176,18 @@ impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
             bezier.derivatives_into(free, derivatives);
         } else {
             let (u, v) = self.surface_parameters(t);
+            let partial = |orders| self.surface.partial(u, v, orders);
             for (order, derivative) in derivatives.iter_mut().enumerate() {
-                let orders = if self.constant == Direction::U { [0, order] } else { [order, 0] };
-                *derivative = self.surface.partial(u, v, orders);
+                *derivative = match self.line {
+                    Line::Constant(Direction::U, _) => partial([0, order]),
+                    Line::Constant(Direction::V, _) => partial([order, 0]),
+                    // (∂u - ∂v)^order
+                    Line::Diagonal => (0..=order).fold(T::Point::zero(), |sum, j| {
+                        let factor = binomial::<ScalarOf<T>>(order, j);
+                        let sign = if j.is_multiple_of(2) { factor } else { -factor };
+                        sum.add_scaled(partial([order - j, j]), sign)
+                    }),
+                };
             }
         }
         if self.backwards {
@@ -190,6 +199,10 @@ impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
 
     fn pieces(&self) -> Vec<CurvePiece> {
         let [from, to] = self.ends();
+        if from == to {
+            // The corner of a triangle.
+            return self.pieces.clone();
+        }
         let part = |piece: &CurvePiece| {
             let [lo, hi] = piece.domain();
             let [a, b] = [lo.max(from), hi.min(to)];
@@ -210,7 +223,7 @@ impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
 
     fn split(&self, t: ScalarOf<T>) -> Result<[Self; 2], CurveError> {
         divisible(self.domain, t)?;
-        let ([lo, hi], free) = (self.domain, self.along(t));
+        let ([lo, hi], free) = (self.domain, self.free(t));
         let parts = [self.part([lo, free], false), self.part([free, hi], false)];
         let [before, after] = parts;
         Ok(if self.backwards { [after, before] } else { [before, after] })
@@ -218,7 +231,7 @@ impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
 
     fn subsegment(&self, range: Range<ScalarOf<T>>) -> Result<Self, CurveError> {
         nonempty(self.domain, &range)?;
-        let [a, b] = [range.start, range.end].map(|t| self.along(t));
+        let [a, b] = [range.start, range.end].map(|t| self.free(t));
         Ok(self.part(if a < b { [a, b] } else { [b, a] }, range.start > range.end))
     }
 
@@ -231,11 +244,11 @@ impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
         let place = if self.backwards { from + to - place } else { place };
         let arc = self.arcs.iter().find(|[lo, hi]| (*lo..=*hi).contains(&place));
         let free = arc.map_or(place, |&[lo, hi]| arc_angle([lo, hi], (place - lo) / (hi - lo)));
-        self.along(crate::geometry::clamped(self.domain, ScalarOf::<T>::of(free)))
+        self.free(crate::geometry::clamped(self.domain, ScalarOf::<T>::of(free)))
     }
 
     fn place_of(&self, t: ScalarOf<T>) -> f64 {
-        let place = self.place(self.along(t).to_f64());
+        let place = self.place(self.free(t).to_f64());
         let [from, to] = self.ends();
         if self.backwards { from + to - place } else { place }
     }

@@ -12,7 +12,7 @@
 
 use crate::numeric::binomial::row;
 use crate::vector::{cross, direction, dot, largest_component, recast};
-use crate::{Point, Point3, Scalar};
+use crate::{Point, Point3, Scalar, SurfaceDomain};
 
 /// Where a parameter lies in its range, which decides on the steps into the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,20 +53,30 @@ pub(crate) fn rounding<S: Scalar>(size: S) -> S {
     S::of(64.0) * S::EPSILON * size
 }
 
-/// The limit of the direction of `S_u × S_v`, from the partial derivatives; `widths` of the domain make them
-/// comparable.
+/// The limit of the direction of `S_u × S_v` at a point of the domain, from the partial derivatives there.
 pub(crate) fn limit_normal<P: Point3, const K: usize>(
     partials: &[[P; K]; K],
-    widths: [P::Scalar; 2],
-    sides: [Side; 2],
+    domain: SurfaceDomain<P::Scalar>,
+    at: [P::Scalar; 2],
 ) -> Option<P::Vector> {
-    let coefficients = taylor(partials, widths)?;
-    let (product, zero) = products(&coefficients);
     let orders = K - 1;
+    let (turned, sides, known) = match domain {
+        SurfaceDomain::Rectangle([u, v]) => (*partials, [Side::of(at[0], u), Side::of(at[1], v)], 2 * K),
+        SurfaceDomain::Triangle => {
+            let (partials, sides) = on_triangle(partials, at);
+            (partials, sides, orders - 1)
+        }
+    };
+    let coefficients = taylor(&turned, domain.widths())?;
+    let (product, mut zero) = products(&coefficients);
+    for (a, row) in zero.iter_mut().enumerate() {
+        row.iter_mut().skip((known + 1).saturating_sub(a)).for_each(|zero| *zero = true);
+    }
     let alpha = (0..orders).find(|&a| (0..orders).any(|b| !zero[a][b]))?;
     let beta = (0..orders).find(|&b| (0..orders).any(|a| !zero[a][b]))?;
     // Total orders for which all coefficients are known.
-    let lowest = (0..orders - alpha.max(beta)).find(|&m| (0..=m).any(|a| !zero[alpha + a][beta + m - a]))?;
+    let unknown = (orders - alpha.max(beta)).min((known + 1).saturating_sub(alpha + beta));
+    let lowest = (0..unknown).find(|&m| (0..=m).any(|a| !zero[alpha + a][beta + m - a]))?;
     let form: [P; K] =
         core::array::from_fn(|a| if a <= lowest { product[alpha + a][beta + lowest - a] } else { P::zero() });
     let form = &form[..=lowest];
@@ -85,6 +95,47 @@ pub(crate) fn limit_normal<P: Point3, const K: usize>(
     }
     let sign = sign_on_steps(&heights[..=lowest], [alpha, beta], sides)?;
     Some(recast(normal.scale(sign)))
+}
+
+/// The partial derivatives of a surface over a triangle in two barycentric coordinates that stand in the order of `u, v, w`
+/// around the triangle, so that the normal stays, the third one not small; with the sides of both. Those of a total order
+/// from `K` on are not known, and left zero.
+fn on_triangle<P: Point3, const K: usize>(
+    partials: &[[P; K]; K],
+    [u, v]: [P::Scalar; 2],
+) -> ([[P; K]; K], [Side; 2]) {
+    let w = P::Scalar::ONE - u - v;
+    let unit = [P::Scalar::ZERO, P::Scalar::ONE];
+    // No coordinate is large, but all three are not small together.
+    let side = |x: P::Scalar| if Side::of(x, unit) == Side::Start { Side::Start } else { Side::Inside };
+    // Of both coordinates the derivatives along u and v.
+    let (directions, sides) = if side(w) == Side::Inside {
+        ([[1, 0], [0, 1]], [u, v])
+    } else if side(u) == Side::Inside {
+        ([[-1, 1], [-1, 0]], [v, w])
+    } else {
+        ([[0, -1], [1, -1]], [w, u])
+    };
+    let mut turned = [[P::zero(); K]; K];
+    for (i, row) in turned.iter_mut().enumerate() {
+        for (j, slot) in row.iter_mut().enumerate().take(K - i) {
+            // (a ∂u + b ∂v)^i (c ∂u + d ∂v)^j by powers of ∂v.
+            let mut powers = [P::Scalar::ZERO; K];
+            powers[0] = P::Scalar::ONE;
+            let factors =
+                core::iter::repeat_n(directions[0], i).chain(core::iter::repeat_n(directions[1], j));
+            for [along_u, along_v] in factors.map(|d| d.map(|x| P::Scalar::of(f64::from(x)))) {
+                for k in (0..K).rev() {
+                    let below = if k > 0 { powers[k - 1] } else { P::Scalar::ZERO };
+                    powers[k] = powers[k] * along_u + below * along_v;
+                }
+            }
+            for (k, &factor) in powers.iter().enumerate().take(i + j + 1) {
+                *slot = slot.add_scaled(partials[i + j - k][k], factor);
+            }
+        }
+    }
+    (turned, sides.map(side))
 }
 
 /// The Taylor coefficients on the unit square, scaled so that the largest component is 1; `None` if one is not finite

@@ -1,9 +1,10 @@
-//! Surfaces over a rectangle of two parameters.
+//! Surfaces over a rectangle or a triangle of two parameters.
 
 #[cfg(feature = "geometry")]
 mod area;
 mod bounds;
 mod curvature;
+mod domain;
 mod edges;
 #[cfg(feature = "geometry")]
 mod isocurve;
@@ -14,6 +15,8 @@ pub(crate) mod nearest;
 mod net;
 mod parts;
 #[cfg(feature = "geometry")]
+mod piece;
+#[cfg(feature = "geometry")]
 mod pieces;
 mod rational;
 mod tensor;
@@ -22,23 +25,27 @@ mod triangle;
 #[cfg(feature = "geometry")]
 pub use area::Area;
 pub use curvature::Curvature;
+pub use domain::SurfaceDomain;
 pub use edges::{Direction, Edge, EdgeContinuity, EdgePair, JoinError, edge_continuity};
 #[cfg(feature = "geometry")]
 pub use isocurve::Isocurve;
 pub use parts::BezierPatchOf;
 #[cfg(feature = "geometry")]
-pub use pieces::{BoundedSurface, SurfacePiece};
+pub use piece::SurfacePiece;
+#[cfg(feature = "geometry")]
+pub use pieces::BoundedSurface;
 pub use rational::{RationalPatchOf, RationalSurface};
 pub use tensor::TensorSurface;
 
 use crate::vector::{cross, direction, largest_component, recast, safe_unit};
-use crate::{Point, Point3, Scalar};
-use limit::{Side, limit_normal, rounding};
+use crate::{CurveError, Point, Point3, Scalar};
+use limit::{limit_normal, rounding};
 
-/// A smooth surface `S(u, v)` over the rectangle `lo_u <= u <= hi_u`, `lo_v <= v <= hi_v`.
+/// A smooth surface `S(u, v)` over a rectangle, `lo_u <= u <= hi_u`, `lo_v <= v <= hi_v`, or over a triangle, where `u`
+/// and `v` are two barycentric coordinates, `u >= 0`, `v >= 0`, `u + v <= 1`: see [`SurfaceDomain`].
 ///
-/// Parameters are not clamped: outside of the rectangle the formula is continued. If a parameter is NaN so is the
-/// point.
+/// Parameters are not clamped: outside of the domain the formula is continued. If a parameter is NaN so is the point.
+/// Generic code asks the domain for parameters, [`SurfaceDomain::at`], and so is right for both.
 ///
 /// A surface of your own provides three functions. All that is not marked `Self: Sized` can be asked of a
 /// `&dyn Surface<Point = P>` too:
@@ -58,8 +65,8 @@ pub trait Surface {
     /// The type of the points of the surface.
     type Point: Point;
 
-    /// The rectangle `[[lo_u, hi_u], [lo_v, hi_v]]`.
-    fn domain(&self) -> [[ScalarOf<Self>; 2]; 2];
+    /// The parameters of the surface.
+    fn domain(&self) -> SurfaceDomain<ScalarOf<Self>>;
 
     /// The point `S(u, v)`.
     fn eval(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Self::Point;
@@ -91,6 +98,21 @@ pub trait Surface {
         partials
     }
 
+    /// The point `S(u, v)`, if these are parameters of the surface.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if they are not, or NaN.
+    fn eval_checked(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Result<Self::Point, CurveError> {
+        self.domain().check(u, v)?;
+        Ok(self.eval(u, v))
+    }
+
+    /// The point at the parameters of the surface that are nearest to these.
+    fn eval_clamped(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Self::Point {
+        let (u, v) = self.domain().clamped(u, v);
+        self.eval(u, v)
+    }
+
     /// The points of a grid, `out[i * vs.len() + j] = S(us[i], vs[j])`; what has no partner in `out` is left alone.
     ///
     /// On a [`TensorSurface`] much faster than point by point.
@@ -117,8 +139,8 @@ pub trait Surface {
 
     /// The unit normal at `(u, v)`: the direction of `S_u × S_v`, or where that vanishes, its limit.
     ///
-    /// At a pole, where a whole edge of the rectangle is one point, the product vanishes and the limit is that over all
-    /// parameters near `(u, v)` in the rectangle. `None` if there is no limit: at the apex where two such edges meet,
+    /// At a pole, where a whole edge of the domain is one point, the product vanishes and the limit is that over all
+    /// parameters near `(u, v)` in the domain. `None` if there is no limit: at the apex where two such edges meet,
     /// in general; on a surface that has shrunk to a curve or a point; on a fold across which the normal flips; and
     /// where the surface is infinite or NaN. The limit is found from the Taylor polynomial of `S_u × S_v` up to the
     /// fourth order, and what vanishes to a higher order has no normal here. The point at which the product vanishes is
@@ -145,15 +167,13 @@ pub trait Surface {
     where
         Self::Point: Point3,
     {
-        let widths = self.domain().map(|[lo, hi]| hi - lo);
+        let domain = self.domain();
         let mut first = [[Self::Point::zero(); 2]; 2];
         self.partials_into(u, v, 2, first.as_flattened_mut());
-        regular_normal(&first, widths).or_else(|| {
-            let [u_range, v_range] = self.domain();
-            let sides = [Side::of(u, u_range), Side::of(v, v_range)];
+        regular_normal(&first, domain.widths()).or_else(|| {
             let mut partials = [[Self::Point::zero(); 6]; 6];
             self.partials_into(u, v, 6, partials.as_flattened_mut());
-            limit_normal(&partials, widths, sides)
+            limit_normal(&partials, domain, [u, v])
         })
     }
 
@@ -162,7 +182,7 @@ pub trait Surface {
     where
         Self::Point: Point3,
     {
-        let widths = self.domain().map(|[lo, hi]| hi - lo);
+        let widths = self.domain().widths();
         let mut partials = [[Self::Point::zero(); 3]; 3];
         self.partials_into(u, v, 3, partials.as_flattened_mut());
         let first = [[partials[0][0], partials[0][1]], [partials[1][0], partials[1][1]]];
@@ -177,7 +197,7 @@ macro_rules! surface_behind {
         impl<T: Surface + ?Sized> Surface for $pointer {
             type Point = T::Point;
 
-            fn domain(&self) -> [[ScalarOf<T>; 2]; 2] {
+            fn domain(&self) -> SurfaceDomain<ScalarOf<T>> {
                 (**self).domain()
             }
 

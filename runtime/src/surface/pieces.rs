@@ -1,4 +1,4 @@
-//! Surfaces as rational Bézier patches in double precision, whatever their type, and what follows from them.
+//! Surfaces that consist of rational Bézier patches, whatever their type, and what follows from these.
 
 use alloc::vec::Vec;
 
@@ -6,153 +6,13 @@ use super::area::{self, Area};
 use super::bounds::largest_quotient;
 use super::nearest::{Piece, nearest_of_pieces};
 use super::net::Net;
-use super::{Direction, Edge, Isocurve, RationalSurface, ScalarOf, Surface, TensorSurface, VectorOf};
+use super::piece::PieceKind;
+use super::{
+    Direction, Edge, Isocurve, RationalSurface, ScalarOf, Surface, SurfacePiece, TensorSurface, VectorOf,
+};
 use crate::geometry::{SurfaceMeeting, of_line};
 use crate::vector::distance;
-use crate::{Basis, CurveError, Nearest, Point, Point3, Scalar, SurfaceOfRevolution};
-
-/// One rational Bézier patch of a surface, in double precision: what a [`BoundedSurface`] consists of.
-///
-/// ```text
-/// S(u, v) = Σ_i Σ_j B[i,m](x) B[j,n](y) w[i,j] P[i,j] / Σ_i Σ_j B[i,m](x) B[j,n](y) w[i,j]
-/// ```
-///
-/// with `x = (u - lo_u) / (hi_u - lo_u)` and `y` likewise; on a surface of revolution `v` is the angle and `y` the
-/// parameter of a rational quadratic arc, which grows with it.
-#[derive(Clone, Debug)]
-pub struct SurfacePiece {
-    pub(crate) domain: [[f64; 2]; 2],
-    /// Whether `v` is the angle of a circular arc whose parameter is rational.
-    pub(crate) turns: bool,
-    pub(crate) net: Piece,
-}
-
-impl SurfacePiece {
-    /// The polynomial patch over a rectangle with these Bézier control points, row by row; a row belongs to one
-    /// function of `u`, and there are `rows` of them.
-    ///
-    /// # Errors
-    /// [`CurveError::Length`] if the number of points is no multiple of the number of rows.
-    #[inline]
-    pub fn polynomial<P: Point>(
-        domain: [[P::Scalar; 2]; 2],
-        rows: usize,
-        points: &[P],
-    ) -> Result<Self, CurveError> {
-        let columns = columns(rows, points.len())?;
-        let of = |n: usize, c: usize| points[n].component(c).to_f64();
-        Ok(Self::from_fn(domain, [rows, columns], P::DIM, P::DIM, of))
-    }
-
-    /// The rational patch over a rectangle with these Bézier control points and weights, row by row.
-    ///
-    /// # Errors
-    /// [`CurveError::Length`] if the number of points is no multiple of the number of rows, or there is not one weight for
-    /// each of them, [`CurveError::Weight`] if a weight is not positive and finite.
-    #[inline]
-    pub fn rational<P: Point>(
-        domain: [[P::Scalar; 2]; 2],
-        rows: usize,
-        points: &[P],
-        weights: &[P::Scalar],
-    ) -> Result<Self, CurveError> {
-        let columns = columns(rows, points.len())?;
-        if points.len() != weights.len() {
-            return Err(CurveError::Length { expected: points.len(), found: weights.len() });
-        }
-        for (index, &weight) in weights.iter().enumerate() {
-            if !(weight > P::Scalar::ZERO && weight.is_finite()) {
-                return Err(CurveError::Weight { index, value: weight.to_f64() });
-            }
-        }
-        let of = |n: usize, c: usize| {
-            let weight = weights[n].to_f64();
-            if c == P::DIM { weight } else { points[n].component(c).to_f64() * weight }
-        };
-        Ok(Self::from_fn(domain, [rows, columns], P::DIM, P::DIM + 1, of))
-    }
-
-    /// From the component `c` of the homogeneous point `n`, row by row.
-    #[inline]
-    pub(crate) fn from_fn<S: Scalar>(
-        domain: [[S; 2]; 2],
-        [rows, columns]: [usize; 2],
-        dim: usize,
-        stride: usize,
-        of: impl Fn(usize, usize) -> f64,
-    ) -> Self {
-        let mut net = Vec::with_capacity(rows * columns * stride);
-        for j in 0..columns {
-            for i in 0..rows {
-                net.extend((0..stride).map(|c| of(i * columns + j, c)));
-            }
-        }
-        let domain = domain.map(|ends| ends.map(Scalar::to_f64));
-        Self { domain, turns: false, net: Piece::new([rows - 1, columns - 1], dim, net) }
-    }
-
-    /// The rectangle of parameters.
-    #[inline]
-    pub fn domain(&self) -> [[f64; 2]; 2] {
-        self.domain
-    }
-
-    /// The degrees in both directions.
-    #[inline]
-    pub fn degrees(&self) -> [usize; 2] {
-        self.net.degrees()
-    }
-
-    /// The parameters of the surface at a place of the unit square.
-    #[inline]
-    pub(crate) fn parameters(&self, at: [f64; 2]) -> [f64; 2] {
-        let [u, v] = self.domain;
-        [crate::domain::from_unit(u, at[0]), self.along_v(v, at[1])]
-    }
-
-    #[inline]
-    fn along_v(&self, [lo, hi]: [f64; 2], y: f64) -> f64 {
-        if self.turns { arc_angle([lo, hi], y) } else { crate::domain::from_unit([lo, hi], y) }
-    }
-
-    /// The place in the unit square of a parameter in one direction.
-    #[inline]
-    pub(crate) fn place(&self, axis: usize, t: f64) -> f64 {
-        let range = self.domain[axis];
-        if axis == 1 && self.turns { arc_place(range, t) } else { crate::domain::unit(range, t)[1] }
-    }
-}
-
-/// The angle at the parameter of a rational quadratic arc from `lo` to `hi` with equal weights at its ends.
-#[inline]
-pub(super) fn arc_angle([lo, hi]: [f64; 2], y: f64) -> f64 {
-    if y <= 0.0 || y >= 1.0 {
-        return crate::domain::from_unit([lo, hi], y);
-    }
-    // y / (1 - y) = sin(φ/2) / sin((δ - φ)/2) for the angle φ in an arc of the angle δ.
-    let (sin, cos) = Scalar::sin_cos(0.5 * (hi - lo));
-    lo + 2.0 * Scalar::atan2(y * sin, (1.0 - y) + y * cos)
-}
-
-/// The parameter of the rational arc at an angle; beyond its ends not that of the circle, on which it is infinite somewhere.
-#[inline]
-pub(super) fn arc_place([lo, hi]: [f64; 2], angle: f64) -> f64 {
-    if angle <= lo || angle >= hi {
-        return crate::domain::unit([lo, hi], angle)[1];
-    }
-    let [before, after] = [angle - lo, hi - angle].map(|angle| Scalar::sin_cos(0.5 * angle).0);
-    before / (before + after)
-}
-
-#[inline]
-fn columns(rows: usize, points: usize) -> Result<usize, CurveError> {
-    let columns = points.checked_div(rows).unwrap_or(0);
-    if columns > 0 && rows * columns == points {
-        Ok(columns)
-    } else {
-        Err(CurveError::Length { expected: rows.max(1) * (columns + 1), found: points })
-    }
-}
+use crate::{Basis, Nearest, Point, Point3, Scalar, SurfaceOfRevolution};
 
 /// A surface that consists of rational Bézier patches, whose control points bound it.
 ///
@@ -216,17 +76,8 @@ pub trait BoundedSurface: Surface {
         let nets: Vec<&Piece> = pieces.iter().map(|piece| &piece.net).collect();
         let (piece, at, bound) = nearest_of_pieces(&nets, &components, accuracy.to_f64(), epsilon)?;
         let at = pieces[piece].parameters(at);
-        let ranges = self.domain();
-        let [u, v] = [0, 1].map(|k| {
-            let ([lo, hi], t) = (ranges[k], ScalarOf::<Self>::of(at[k]));
-            if t < lo {
-                lo
-            } else if t > hi {
-                hi
-            } else {
-                t
-            }
-        });
+        let [u, v] = at.map(ScalarOf::<Self>::of);
+        let (u, v) = self.domain().clamped(u, v);
         let found = self.eval(u, v);
         let distance = distance(found, point);
         let at_least = ScalarOf::<Self>::of(bound).min(distance);
@@ -259,8 +110,7 @@ pub trait BoundedSurface: Surface {
     where
         Self: Sized,
     {
-        let [lo, hi] = self.domain()[usize::from(edge.across() == Direction::V)];
-        self.isocurve(edge.across(), if edge.is_end() { hi } else { lo })
+        Isocurve::along(self, edge)
     }
 
     /// The area `∫∫ |S_u × S_v| du dv` of a surface in a space of any dimension; see [`Area`] for the bound of its
@@ -376,7 +226,7 @@ where
         let net = Net::of(self);
         let of = |n: usize, c: usize| net.points()[n].component(c).to_f64();
         let size = [U::DEGREE + 1, V::DEGREE + 1];
-        alloc::vec![SurfacePiece::from_fn(self.domain(), size, P::DIM, P::DIM, of)]
+        alloc::vec![SurfacePiece::from_fn([U::domain(), V::domain()], size, P::DIM, P::DIM, of)]
     }
 
     #[inline]
@@ -401,7 +251,7 @@ where
             sign * if c == P::DIM { weights.points()[n] } else { points.points()[n].component(c) }.to_f64()
         };
         let size = [U::DEGREE + 1, V::DEGREE + 1];
-        alloc::vec![SurfacePiece::from_fn(self.domain(), size, P::DIM, P::DIM + 1, of)]
+        alloc::vec![SurfacePiece::from_fn([U::domain(), V::domain()], size, P::DIM, P::DIM + 1, of)]
     }
 
     forward_boxes!();
@@ -417,7 +267,7 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> BoundedSurface for SurfaceOfRevolu
                     (self.angle() * B::Scalar::from_usize(k) / B::Scalar::from_usize(arcs.len())).to_f64()
                 });
                 piece.domain = [B::domain().map(Scalar::to_f64), [from, to]];
-                piece.turns = true;
+                piece.kind = PieceKind::Arc;
                 pieces.push(piece);
             }
         }

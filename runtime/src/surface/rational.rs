@@ -4,7 +4,9 @@ use core::ops::Range;
 
 use super::{Direction, partials_by_number};
 use crate::numeric::binomial::binomial;
-use crate::{Array, Basis, BernsteinOf, Curve, CurveError, Point, Scalar, Surface, TensorSurface};
+use crate::{
+    Array, Basis, BernsteinOf, Curve, CurveError, Point, Scalar, Surface, SurfaceDomain, TensorSurface,
+};
 
 /// The surface `S(u, v) = N(u, v) / w(u, v)`, a quotient of two tensor surfaces: one of points, one of numbers.
 ///
@@ -109,6 +111,8 @@ where
         }
     }
 
+    crate::affine::transform!();
+
     /// The numerator `N`, whose control points are `w[i][j] P[i][j]`.
     pub fn numerator(&self) -> &TensorSurface<U, V, P> {
         &self.numerator
@@ -212,7 +216,7 @@ where
     type Point = P;
 
     #[inline]
-    fn domain(&self) -> [[P::Scalar; 2]; 2] {
+    fn domain(&self) -> SurfaceDomain<P::Scalar> {
         self.numerator.domain()
     }
 

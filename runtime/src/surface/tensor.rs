@@ -5,7 +5,7 @@ use core::fmt::{self, Debug, Formatter};
 use super::partials_by_number;
 use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
-use crate::{Array, Basis, CountError, Curve, Form, Point, Scalar, Surface};
+use crate::{Array, Basis, CountError, Curve, Form, Point, Scalar, Surface, SurfaceDomain};
 
 /// The number of parameters in `v` that are evaluated together.
 const TILE: usize = 512;
@@ -100,6 +100,8 @@ where
         }
     }
 
+    crate::affine::transform!();
+
     /// The family in `u`, with its shape values.
     #[inline]
     pub fn u_basis(&self) -> U {
@@ -128,8 +130,8 @@ where
     type Point = P;
 
     #[inline]
-    fn domain(&self) -> [[P::Scalar; 2]; 2] {
-        [U::domain(), V::domain()]
+    fn domain(&self) -> SurfaceDomain<P::Scalar> {
+        SurfaceDomain::Rectangle([U::domain(), V::domain()])
     }
 
     /// Exact at the corners of a net that they interpolate.

@@ -84,7 +84,7 @@ fn domains_are_mapped_to_the_first() {
     .unwrap();
     let b = BSplineCurve::from_bezier([[0.0, 1.0], [1.0, 3.0], [2.0, 2.0]]).unwrap();
     let surface = BSplineSurface::ruled(&a, &b).unwrap();
-    assert_eq!(surface.domain(), [[2.0, 6.0], [0.0, 1.0]]);
+    assert_eq!(surface.domain().ranges(), [[2.0, 6.0], [0.0, 1.0]]);
     assert_eq!(surface.eval(3.0, 0.0), a.eval(3.0));
     let [found, expected]: [[f64; 2]; 2] = [surface.eval(4.0, 1.0), b.eval(0.5)];
     assert!((0..2).all(|d| (found[d] - expected[d]).abs() < 1e-15));

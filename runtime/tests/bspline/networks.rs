@@ -37,7 +37,7 @@ fn patches(n: usize, waves: [f64; 3], extra: &[f64]) -> Vec<BSplineSurface<P3>> 
             }
             for (k, direction) in [Direction::U, Direction::V].into_iter().enumerate() {
                 if let Some(&part) = extra.get((all.len() * 2 + k) % extra.len().max(1)) {
-                    let [lo, hi] = patch.domain()[k];
+                    let [lo, hi] = patch.domain().ranges()[k];
                     patch = patch.insert_knots(direction, &[lo + (hi - lo) * part]).unwrap();
                 }
             }
@@ -49,7 +49,7 @@ fn patches(n: usize, waves: [f64; 3], extra: &[f64]) -> Vec<BSplineSurface<P3>> 
 
 /// A patch that passes through points above it, some near its corners.
 fn dented(patch: &BSplineSurface<P3>, heights: [f64; 5]) -> BSplineSurface<P3> {
-    let [[a, b], [c, d]] = patch.domain();
+    let [[a, b], [c, d]] = patch.domain().ranges();
     let at = [(0.5, 0.5), (0.02, 0.03), (0.97, 0.05), (0.04, 0.96), (0.98, 0.97)];
     let constraints: Vec<_> = at
         .iter()
@@ -354,7 +354,7 @@ proptest! {
             prop_assert!(!found.changed.contains(&index) || near(index / 3, leader / 3) && near(index % 3, leader % 3));
             // Nothing moves far from the patch.
             let old = &network.patches()[index];
-            let [[a, b], [c, d]] = old.domain();
+            let [[a, b], [c, d]] = old.domain().ranges();
             let middle = |surface: &BSplineSurface<P3>| surface.eval(f64::midpoint(a, b), f64::midpoint(c, d));
             let (p, q) = (middle(patch), middle(old));
             prop_assert!(distance(p, q) < 0.5);

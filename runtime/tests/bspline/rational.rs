@@ -95,7 +95,7 @@ fn turns_by_any_angle_are_exact() {
         let angle = f64::from(degrees).to_radians();
         let surface =
             NurbsSurface::revolved(&profile.clone().into(), [0.0; 3], [0.0, 0.0, 2.0], angle).unwrap();
-        assert_eq!(surface.domain()[1], [0.0, angle]);
+        assert_eq!(surface.domain().ranges()[1], [0.0, angle]);
         for v in [0.0, 0.3, 1.0] {
             let [x, _, z] = profile.eval(v);
             for i in 0..=20 {
@@ -127,7 +127,7 @@ fn a_surface_of_revolution_converts_exactly() {
         let turned = SurfaceOfRevolution::new(&generatrix, [0.2, 0.1, 0.0], [0.1, 0.3, 1.0], angle).unwrap();
         let surface = NurbsSurface::try_from(&turned).unwrap();
         assert_eq!(surface.degrees(), [3, 2]);
-        assert_eq!(surface.domain(), [[0.0, 1.0], [0.0, angle]]);
+        assert_eq!(surface.domain().ranges(), [[0.0, 1.0], [0.0, angle]]);
         // The same meridians where arcs meet, and in the middle of each; the same circles.
         let arcs = surface.knots(Direction::V).spans().count();
         for half in 0..=2 * arcs {

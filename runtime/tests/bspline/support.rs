@@ -84,7 +84,7 @@ pub(crate) fn dot(a: P3, b: P3) -> f64 {
 /// A point of an edge at a part of its length, the derivative there away from the surface (`sign` 1) or into it (−1),
 /// and the derivative along the edge.
 pub(crate) fn at_edge(surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign: f64) -> (P3, P3, P3) {
-    let [du, dv] = surface.domain();
+    let [du, dv] = surface.domain().ranges();
     let (across, along) = if edge.across() == Direction::U { (du, dv) } else { (dv, du) };
     let c = across[usize::from(edge.is_end())];
     let t = along[0] + (along[1] - along[0]) * part;

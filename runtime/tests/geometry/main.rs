@@ -13,4 +13,5 @@ mod queries;
 #[path = "../../../tests/src/random.rs"]
 mod random;
 mod surfaces;
+mod triangles;
 mod vocabulary;

@@ -153,14 +153,12 @@ fn of_curves_through_a_point() {
     let patches = vase.to_rational_patches();
     let rational = NurbsSurface::revolved(&nurbs(random), [0.0; 3], [0.0, 0.0, 1.0], 4.0).unwrap();
     let triangle = TriangularBezier::<P3, 4, 10>::from_points(core::array::from_fn(|_| random_point(random)));
-    let triangle = triangle.to_tensor_surface();
     let surfaces: [&dyn BoundedSurface<Point = P3>; 5] = [&spline, &vase, &patches[0], &rational, &triangle];
     for round in 0..42 {
         let random_patch = bicubic(random);
         let surface =
             surfaces.get(round % 7).map_or(&random_patch as &dyn BoundedSurface<Point = P3>, |s| *s);
-        let [[u0, u1], [v0, v1]] = surface.domain();
-        let (u, v) = (random.between(u0, u1), random.between(v0, v1));
+        let (u, v) = surface.domain().at(random.between(0.0, 1.0), random.between(0.0, 1.0));
         let t = random.between(0.0, 1.0);
         let (point, points) = (surface.eval(u, v), [(); 4].map(|()| random_point(random)));
         let from = Bezier::from_points(points).eval(t);

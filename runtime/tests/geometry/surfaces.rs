@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use basis_runtime::bspline::{BSplineSurface, KnotVector, Net, NurbsSurface};
 use basis_runtime::{
-    Bezier, BoundedSurface, CurveError, Direction, Edge, Isocurve, ParametricCurve, Surface,
+    Bezier, BoundedSurface, CurveError, Direction, Edge, Isocurve, ParametricCurve, Surface, SurfaceDomain,
     SurfaceOfRevolution, SurfacePiece, Tessellation,
 };
 
@@ -23,12 +23,13 @@ fn spline(random: &mut Random) -> BSplineSurface<P3> {
     BSplineSurface::new(u, v, net.unwrap()).unwrap()
 }
 
-fn against_samples(surface: &dyn BoundedSurface<Point = P3>, random: &mut Random) {
+pub(crate) fn against_samples(surface: &dyn BoundedSurface<Point = P3>, random: &mut Random) {
     const COUNT: usize = 121;
-    let [[u0, u1], [v0, v1]] = surface.domain();
+    let domain = surface.domain();
+    let [[u0, u1], _] = domain.ranges();
     let at = |n: usize| {
         let [x, y] = [n / COUNT, n % COUNT].map(|k| k as f64 / (COUNT - 1) as f64);
-        (u0 * (1.0 - x) + u1 * x, v0 * (1.0 - y) + v1 * y)
+        domain.at(x, y)
     };
     let points: Vec<P3> = (0..COUNT * COUNT).map(at).map(|(u, v)| surface.eval(u, v)).collect();
     let ([low, high], [far_low, far_high]) = (surface.bounding_box(), surface.control_box());
@@ -46,7 +47,7 @@ fn against_samples(surface: &dyn BoundedSurface<Point = P3>, random: &mut Random
         assert!(found.distance <= sampled + 1e-7 && found.at_least <= sampled, "{found:?} {sampled}");
         assert!(found.distance - found.at_least <= 1.01e-7, "{found:?}");
         let [u, v] = found.at;
-        assert!(distance(surface.eval(u, v), found.point) < 1e-13);
+        assert!(domain.contains(u, v) && distance(surface.eval(u, v), found.point) < 1e-13);
     }
     assert_eq!(surface.nearest([f64::NAN; 3], 1e-6), None);
     // Partial derivatives one by one, and all at once.
@@ -70,11 +71,12 @@ fn against_samples(surface: &dyn BoundedSurface<Point = P3>, random: &mut Random
 }
 
 /// A curve with a constant parameter, and its parts, are on the surface at the parameters that they say.
-fn isocurves(surface: &dyn BoundedSurface<Point = P3>, random: &mut Random) {
-    let ranges = surface.domain();
+pub(crate) fn isocurves(surface: &dyn BoundedSurface<Point = P3>, random: &mut Random) {
+    let ranges = surface.domain().ranges();
     for (direction, across) in [(Direction::U, 0), (Direction::V, 1)] {
-        let [[a, b], [lo, hi]] = [ranges[across], ranges[1 - across]];
+        let [a, b] = ranges[across];
         let at = random.between(a, b);
+        let [lo, hi] = surface.domain().range(direction, at);
         let curve = Isocurve::new(surface, direction, at);
         assert_eq!(curve.domain(), [lo, hi]);
         let middle = random.between(lo, hi);
@@ -131,7 +133,7 @@ fn boundaries_are_the_ends_of_the_domain() {
     let vase = SurfaceOfRevolution::about_x(&profile, 5.0).unwrap();
     let surface = spline(random);
     for edge in Edge::ALL {
-        let (u, v) = edge.parameters(Surface::domain(&vase), 0.25);
+        let (u, v) = vase.domain().on_edge(edge, 0.25);
         let curve = vase.boundary(edge);
         assert_eq!(curve.eval(if edge.runs_along_u() { u } else { v }), vase.eval(u, v));
         let (mine, general) = (surface.boundary(edge), BoundedSurface::boundary(&surface, edge));
@@ -143,18 +145,19 @@ fn boundaries_are_the_ends_of_the_domain() {
 }
 
 /// The area by the rectangle rule on a fine grid.
-fn summed_area(surface: &dyn BoundedSurface<Point = P3>) -> f64 {
+pub(crate) fn summed_area(surface: &dyn BoundedSurface<Point = P3>) -> f64 {
     const COUNT: usize = 400;
-    let [[u0, u1], [v0, v1]] = surface.domain();
+    let [u, v] = surface.domain().ranges().map(|[lo, hi]| hi - lo);
     let mut sum = 0.0;
     for n in 0..COUNT * COUNT {
         let [x, y] = [n / COUNT, n % COUNT].map(|k| (k as f64 + 0.5) / COUNT as f64);
-        let (u, v) = (u0 + x * (u1 - u0), v0 + y * (v1 - v0));
+        let size = if surface.domain() == SurfaceDomain::Triangle { 1.0 - x } else { u * v };
+        let (u, v) = surface.domain().at(x, y);
         let [a, b] = [surface.partial(u, v, [1, 0]), surface.partial(u, v, [0, 1])];
         let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-        sum += distance(cross, [0.0; 3]);
+        sum += size * distance(cross, [0.0; 3]);
     }
-    sum * (u1 - u0) * (v1 - v0) / (COUNT * COUNT) as f64
+    sum / (COUNT * COUNT) as f64
 }
 
 #[test]

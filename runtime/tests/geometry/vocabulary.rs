@@ -4,7 +4,7 @@ use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, Nurb
 use basis_runtime::{
     BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, Isocurve, ParametricCurve, Path,
     PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution, TensorSurface,
-    Tessellation,
+    Tessellation, TriangularBezier,
 };
 
 #[cfg(feature = "macros")]
@@ -20,6 +20,17 @@ mod families {
             b[0] = x^2 | ((1 + d - x)/d)^2;
             b[1] = 1 - b[0];
         }
+    }
+    basis! {
+        family Square {
+            domain 0 <= u <= 1, 0 <= v <= 1;
+            b[i, j] = (1 - i + (2*i - 1)*u) * (1 - j + (2*j - 1)*v) for i in 0..=1, j in 0..=1;
+        }
+    }
+
+    pub(crate) fn sheet() -> basis_runtime::BoxPatch<Square, [f64; 3]> {
+        let points = [[0.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0; 3]];
+        basis_runtime::BoxPatch::new(Square::new(), points)
     }
 }
 
@@ -105,7 +116,7 @@ macro_rules! ask_curve {
     }};
     ($space:expr, $plane:expr) => {
         ask_curve!($space, $plane,
-            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed(); map(|p| p);
+            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed(); map(|p| p); transform(&TURN);
             continued(Contact::Tangent { f: 1.0 }, &arch(|p| p)); preceded(Contact::Tangent { f: 1.0 }, &arch(|p| p));)
     };
 }
@@ -115,7 +126,7 @@ macro_rules! ask_surface {
     ($surface:expr, $($more:tt)*) => {{
         let surface = $surface;
         let mut names = ask! { surface =>
-            domain(); eval(0.3, 0.4); eval_grid(&[0.1], &[0.2], &mut [[0.0; 3]; 1]); partial(0.3, 0.4, [1, 1]);
+            domain(); eval(0.3, 0.4); eval_checked(0.3, 0.4); eval_clamped(0.3, 0.4); eval_grid(&[0.1], &[0.2], &mut [[0.0; 3]; 1]); partial(0.3, 0.4, [1, 1]);
             partials_into(0.3, 0.4, 2, &mut [[0.0; 3]; 4]); normal(0.3, 0.4); curvature(0.3, 0.4); pieces();
             control_box(); bounding_box(); area(1e-3); nearest([0.0; 3], 1e-3);
             ray_intersections([0.0; 3], [0.0, 0.0, 1.0], 1e-3); line_intersections([0.0; 3], [0.0, 0.0, 1.0], 1e-3);
@@ -128,12 +139,15 @@ macro_rules! ask_surface {
     ($surface:expr) => {
         ask_surface!($surface,
             eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd);
-            split(Direction::U, 0.5); subpatch(0.75..0.25, 0.25..0.5); reversed(Direction::V); map(|p| p);)
+            split(Direction::U, 0.5); subpatch(0.75..0.25, 0.25..0.5); reversed(Direction::V); map(|p| p); transform(&TURN);)
     };
 }
 
+/// A right angle about the third axis, in rows.
+const TURN: [[f64; 3]; 3] = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+
 /// The queries that are neither of a trait.
-const PARTS: [&str; 5] = ["split", "subpatch", "reversed", "with", "map"];
+const PARTS: [&str; 6] = ["split", "subpatch", "reversed", "with", "map", "transform"];
 
 fn plane_patch() -> BSplineSurface<[f64; 3]> {
     BSplineSurface::from_bezier(Net::from_fn(2, 2, |i, j| [i as f64, j as f64, 0.5]).unwrap()).unwrap()
@@ -184,7 +198,7 @@ fn of_curves() {
     agree(
         "| a curve's",
         &[(include_str!("../../src/geometry/parametric.rs"), "ParametricCurve")],
-        &["map"],
+        &["map", "transform"],
         &asked,
     );
 }
@@ -201,12 +215,24 @@ fn of_surfaces() {
     let revolved = SurfaceOfRevolution::about_x(&generatrix, 1.0).unwrap();
     let spline = plane_patch();
     let nurbs = NurbsSurface::from(spline.clone());
+    let triangle =
+        TriangularBezier::<[f64; 3], 2, 3>::from_points([[0.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
+    #[cfg(feature = "macros")]
+    let sheet = ask_surface!(families::sheet());
+    #[cfg(not(feature = "macros"))]
+    let sheet = ask_surface!(&spline);
     let asked = [
         ("`TensorSurface`", ask_surface!(tensor)),
         ("`RationalSurface`", ask_surface!(rational)),
         ("`SurfaceOfRevolution`", ask_surface!(revolved)),
         ("`BSplineSurface`", ask_surface!(&spline)),
         ("`NurbsSurface`", ask_surface!(&nurbs)),
+        (
+            "`TriangularPatch`",
+            ask_surface!(triangle,
+                eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p); transform(&TURN);),
+        ),
+        ("`BoxPatch`", sheet),
         ("dyn", {
             let surface: &dyn BoundedSurface<Point = [f64; 3]> = &tensor;
             ask_surface!(surface, domain();)

@@ -1,10 +1,12 @@
 //! Patches on triangles, tetrahedra and boxes.
 
 use basis_runtime::{
-    BoxPatch, EdgeBasis, SimplexBasis as _, SimplexIndex, SimplexPatch, Surface, TetrahedronIndex,
-    TriangleEdge, TriangleIndex, TriangularBernsteinBasis, TriangularBezier, TriangularPatch, basis,
+    BoxPatch, Direction, EdgeBasis, SimplexBasis as _, SimplexIndex, SimplexPatch, Surface, SurfacePiece,
+    TetrahedronIndex, TriangleContact, TriangleEdge, TriangleIndex, TriangularBernsteinBasis,
+    TriangularBezier, TriangularPatch, basis,
 };
 
+use crate::surfaces::{any, areas_and_edges};
 use crate::{Case, NUMBERS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
 
 basis!("../../../specs/triangular.basis", TriangularI(2), TriangularII(3));
@@ -22,11 +24,12 @@ const TRIANGLE: &[Case<Triangle>] = &[
         let _ = [0, 1, 3, 4, usize::MAX].map(|order| s.derivative([a, b, 0.5], [b, a, 1.0], order));
         true
     }),
-    ("partial", |s, a, b| {
-        let _ = [[0, 0], [1, 2], [9, 0], [usize::MAX; 2]].map(|orders| s.partial([a, b, 0.5], orders));
+    ("partial", |s, a, b| any(s, a, b)),
+    ("partial_at", |s, a, b| {
+        let _ = [[0, 0], [1, 2], [9, 0], [usize::MAX; 2]].map(|orders| s.partial_at([a, b, 0.5], orders));
         true
     }),
-    ("eval_barycentric", |s, a, _| !a.is_nan() || is_nan(s.eval_barycentric([a; 3]))),
+    ("eval_at", |s, a, _| !a.is_nan() || is_nan(s.eval_at([a; 3]))),
     ("basis", |s, _, _| s.basis().values([1.0, 0.0, 0.0])[9] == 1.0),
     ("control_points", |s, _, _| s.control_points().len() == 10),
     ("control_point", |s, _, _| {
@@ -40,10 +43,10 @@ const TRIANGLE: &[Case<Triangle>] = &[
         true
     }),
     ("normal", |s, a, b| s.normal(a, b).is_none_or(is_unit)),
-    ("boundary", |s, a, _| {
-        TriangleEdge::ALL.iter().all(|&edge| !a.is_nan() || is_nan(s.boundary(edge).eval(a)))
+    ("edge_curve", |s, a, _| {
+        TriangleEdge::ALL.iter().all(|&edge| !a.is_nan() || is_nan(s.edge_curve(edge).eval(a)))
     }),
-    ("edge", |s, _, _| s.boundary(TriangleEdge::V).basis().edge() == TriangleEdge::V),
+    ("edge", |s, _, _| s.edge_curve(TriangleEdge::V).basis().edge() == TriangleEdge::V),
     ("point", |_, a, _| TriangleEdge::ALL.iter().all(|edge| edge.point(a).contains(&0.0))),
     ("index", |_, _, _| {
         TriangleEdge::U.index(3, usize::MAX).components() == [0, 0, 3]
@@ -52,11 +55,11 @@ const TRIANGLE: &[Case<Triangle>] = &[
     ("control_box", |s, _, _| is_box(s.control_box())),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
     ("curvature", |s, a, b| s.curvature(a, b).is_none_or(|c| is_finite(c.normal))),
-    ("part", |s, a, b| !a.is_nan() || is_nan(s.part([[a, b, 0.0]; 3]).eval_barycentric([0.25, 0.25, 0.5]))),
-    ("split", |s, a, _| {
+    ("part", |s, a, b| !a.is_nan() || is_nan(s.part([[a, b, 0.0]; 3]).eval_at([0.25, 0.25, 0.5]))),
+    ("split_edge", |s, a, _| {
         TriangleEdge::ALL
             .iter()
-            .all(|&edge| s.split(edge, a).iter().all(|part| part.control_points().len() == 10))
+            .all(|&edge| s.split_edge(edge, a).iter().all(|part| part.control_points().len() == 10))
     }),
     ("to_bezier", |s, _, _| s.to_bezier().control_points().len() == 10),
     ("elevate", |s, _, _| s.elevate::<8, 36>().control_points().len() == 36),
@@ -70,9 +73,13 @@ const TRIANGLE: &[Case<Triangle>] = &[
     }),
     ("continued", |s, a, b| {
         [0, 1, 3, 4, usize::MAX].into_iter().all(|order| {
-            s.continued(TriangleEdge::V, [0.5, a, b], order, s.basis(), [[0.5; 3]; 10])
+            s.continued(TriangleEdge::V, TriangleContact { order, apex: [0.5, a, b] }, s)
                 .map_or(true, |next| next.control_points().iter().all(|&p| is_finite(p)))
         })
+    }),
+    ("triangular", |s, a, _| {
+        SurfacePiece::triangular(s.control_points()).is_ok_and(|piece| piece.degrees() == [3, 3])
+            && SurfacePiece::triangular(&[a; 5]).is_err()
     }),
     ("to_tensor_surface", |s, a, b| {
         let tensor = s.to_tensor_surface();
@@ -100,6 +107,11 @@ const OTHERS: &[&str] = &[
     "domain",
 ];
 
+/// The names that stand among those of splines.
+pub(crate) fn of_splines() -> impl Iterator<Item = &'static str> {
+    BOX.iter().map(|(name, _)| *name).filter(|name| name.contains(':'))
+}
+
 pub(crate) const NAMES: &[&str] = &{
     let mut names = [""; TRIANGLE.len() + OTHERS.len()];
     let mut k = 0;
@@ -118,13 +130,17 @@ fn triangles() {
             Some(TriangularPatch::new(basis, core::array::from_fn(net)))
         });
     }
+    areas_and_edges(|net| {
+        let basis = TriangularII::new(1.5, 1.0).unwrap();
+        Some(TriangularPatch::new(basis, core::array::from_fn(net)))
+    });
 }
 
 #[test]
 fn triangles_of_degree_zero() {
     let point = TriangularBezier::<P, 1, 1>::from_points([[1.0, 2.0, 3.0]]);
     for a in NUMBERS {
-        let _ = (point.eval(a, a), point.derivative([a; 3], [a; 3], 1), point.split(TriangleEdge::U, a));
+        let _ = (point.eval(a, a), point.derivative([a; 3], [a; 3], 1), point.split_edge(TriangleEdge::U, a));
         assert_eq!(point.normal(a, a), None);
         assert_eq!(point.curvature(a, a).map(|c| c.normal), None);
         let found = point.nearest([1.0, 2.0, 5.0], a).unwrap();
@@ -138,17 +154,28 @@ type Box2 = BoxPatch<Serendipity, P>;
 
 const BOX: &[Case<Box2>] = &[
     ("from_slice", |s, _, _| Box2::from_slice(s.basis(), &[[0.0; 3]]).is_err()),
-    ("eval", |s, a, _| !a.is_nan() || is_nan(s.eval([a; 2]))),
-    ("partial", |s, a, b| {
-        let _ = [[0, 0], [1, 2], [9, 0], [usize::MAX; 2]].map(|orders| s.partial([a, b], orders));
+    ("eval_at", |s, a, _| !a.is_nan() || is_nan(s.eval_at([a; 2]))),
+    ("eval", |s, a, b| any(s, a, b)),
+    ("partial_at", |s, a, b| {
+        let _ = [[0, 0], [1, 2], [9, 0], [usize::MAX; 2]].map(|orders| s.partial_at([a, b], orders));
         true
     }),
-    ("domain", |s, _, _| s.domain() == [[-1.0; 2], [1.0; 2]]),
+    ("corners", |s, _, _| s.corners() == [[-1.0; 2], [1.0; 2]]),
     ("basis", |s, _, _| s.basis() == Serendipity::new()),
     ("control_points", |s, _, _| s.control_points().len() == 8),
     ("to_bernstein", |s, _, _| s.to_bernstein().len() == 9),
     ("control_box", |s, _, _| is_box(s.control_box())),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
+    ("BoxPatch::split", |s, a, _| {
+        [Direction::U, Direction::V].iter().all(|&d| s.split(d, a).is_ok() == (a > -1.0 && a < 1.0))
+    }),
+    ("BoxPatch::subpatch", |s, a, b| {
+        let given = [a, b].iter().all(|x| (-1.0..=1.0).contains(x)) && a != b;
+        s.subpatch(a..b, b..a).is_ok() == given
+    }),
+    ("BoxPatch::reversed", |s, a, _| {
+        s.reversed(Direction::V).is_ok_and(|s| !a.is_nan() || is_nan(s.eval(a, a)))
+    }),
 ];
 
 #[test]
@@ -159,9 +186,9 @@ fn boxes() {
 #[test]
 fn tetrahedra() {
     let cases: &[Case<SimplexPatch<TetrahedralLagrange, P>>] = &[
-        ("eval_barycentric", |s, a, b| !a.is_nan() || is_nan(s.eval_barycentric([a, b, a, b]))),
+        ("eval_at", |s, a, b| !a.is_nan() || is_nan(s.eval_at([a, b, a, b]))),
         ("partial", |s, a, b| {
-            let _ = [[0; 3], [1, 1, 0], [usize::MAX; 3]].map(|orders| s.partial([a, b, a, b], orders));
+            let _ = [[0; 3], [1, 1, 0], [usize::MAX; 3]].map(|orders| s.partial_at([a, b, a, b], orders));
             true
         }),
         ("derivative", |s, a, b| {

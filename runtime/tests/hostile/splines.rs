@@ -161,7 +161,7 @@ const CURVE: &[Case<C>] = &[
     }),
     ("BSplineSurface::extruded", |c, a, b| S::extruded(c, [a, b, 1.0]).is_ok_and(|s| s.degrees() == [2, 1])),
     ("BSplineSurface::ruled", |c, _, _| {
-        S::ruled(c, &c.reversed()).is_ok_and(|s| s.domain() == [[0.0, 1.0]; 2])
+        S::ruled(c, &c.reversed()).is_ok_and(|s| s.domain().ranges() == [[0.0, 1.0]; 2])
     }),
     ("BSplineSurface::translated", |c, _, _| S::translated(c, c).is_ok_and(|s| s.degrees() == [2, 2])),
     ("BSplineSurface::lofted", |c, a, _| {
@@ -220,7 +220,7 @@ const NURBS_CURVE: &[Case<RationalCurve>] = &[
         NurbsSurface::extruded(c, [a, b, 1.0]).is_ok_and(|s| s.degrees() == [2, 1])
     }),
     ("NurbsSurface::ruled", |c, _, _| {
-        NurbsSurface::ruled(c, &c.reversed()).map_or(true, |s| s.domain() == [[0.0, 1.0]; 2])
+        NurbsSurface::ruled(c, &c.reversed()).map_or(true, |s| s.domain().ranges() == [[0.0, 1.0]; 2])
     }),
     ("NurbsSurface::translated", |c, a, b| {
         [c, &with_end_weights(c, a, b)].iter().all(|path| {
@@ -287,7 +287,7 @@ const SURFACE: &[Case<S>] = &[
     ("BSplineSurface::knots", |s, _, _| BOTH.iter().all(|&d| s.knots(d).functions() == 5)),
     ("BSplineSurface::net", |s, _, _| s.net().rows() == 5),
     ("BSplineSurface::control_points_mut", |s, _, _| s.clone().control_points_mut().len() == 25),
-    ("BSplineSurface::domain", |s, _, _| s.domain() == [[0.0, 1.0]; 2]),
+    ("BSplineSurface::domain", |s, _, _| s.domain().ranges() == [[0.0, 1.0]; 2]),
     ("BSplineSurface::eval", |s, a, b| !(a.is_nan() || b.is_nan()) || is_nan(s.eval(a, b))),
     ("BSplineSurface::eval_checked", |s, a, b| {
         s.eval_checked(a, b).is_ok() == ((0.0..=1.0).contains(&a) && (0.0..=1.0).contains(&b))
@@ -433,7 +433,7 @@ const NURBS_SURFACE: &[Case<RationalSurface>] = &[
     ("NurbsSurface::knots", |s, _, _| BOTH.iter().all(|&d| s.knots(d).functions() == 5)),
     ("NurbsSurface::net", |s, _, _| s.net().rows() == 5),
     ("NurbsSurface::weights", |s, _, _| s.weights().as_slice().iter().all(|&w| w > 0.0)),
-    ("NurbsSurface::domain", |s, _, _| s.domain() == [[0.0, 1.0]; 2]),
+    ("NurbsSurface::domain", |s, _, _| s.domain().ranges() == [[0.0, 1.0]; 2]),
     ("NurbsSurface::eval", |s, a, b| !(a.is_nan() || b.is_nan()) || is_nan(s.eval(a, b))),
     ("NurbsSurface::eval_checked", |s, a, b| {
         s.eval_checked(a, b).is_ok() == ((0.0..=1.0).contains(&a) && (0.0..=1.0).contains(&b))
@@ -466,7 +466,8 @@ pub(crate) fn names() -> Vec<&'static str> {
     fn of<T>(cases: &[Case<T>]) -> impl Iterator<Item = &'static str> + '_ {
         cases.iter().map(|(name, _)| *name)
     }
-    of(KNOTS).chain(of(CURVE)).chain(of(NURBS_CURVE)).chain(of(SURFACE)).chain(of(NURBS_SURFACE)).collect()
+    let surfaces = of(SURFACE).chain(of(NURBS_SURFACE)).chain(crate::patches::of_splines());
+    of(KNOTS).chain(of(CURVE)).chain(of(NURBS_CURVE)).chain(surfaces).collect()
 }
 
 #[test]

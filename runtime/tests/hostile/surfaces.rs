@@ -1,9 +1,9 @@
 //! Tensor surfaces, rational surfaces, surfaces of revolution, and their meshes.
 
 use basis_runtime::{
-    BoundedSurface, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, ParametricCurve, RationalSurface,
-    Surface, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, Vertex, basis, edge_continuity,
-    half_turn_parameter,
+    BoundedSurface, Contact, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, ParametricCurve,
+    RationalSurface, Surface, SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation,
+    Vertex, basis, edge_continuity, half_turn_parameter,
 };
 
 use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
@@ -30,7 +30,7 @@ fn is_curve<S: BoundedSurface<Point = P>>(curve: &Isocurve<'_, S>, t: f64) -> bo
 }
 
 /// What takes longer than to be asked for all parameters: areas as exact as can be, and the curves at the edges.
-fn areas_and_edges<S: BoundedSurface<Point = P>>(make: impl Fn(fn(usize) -> P) -> Option<S>) {
+pub(crate) fn areas_and_edges<S: BoundedSurface<Point = P>>(make: impl Fn(fn(usize) -> P) -> Option<S>) {
     for (k, net) in NETS.into_iter().enumerate() {
         let Some(s) = make(net) else { continue };
         let found = s.area(f64::NAN);
@@ -40,7 +40,7 @@ fn areas_and_edges<S: BoundedSurface<Point = P>>(make: impl Fn(fn(usize) -> P) -
 }
 
 /// What every surface answers.
-fn any<S: Surface<Point = P> + BoundedSurface>(s: &S, a: f64, b: f64) -> bool {
+pub(crate) fn any<S: Surface<Point = P> + BoundedSurface>(s: &S, a: f64, b: f64) -> bool {
     let mut grid = [[0.0; 3]; 5];
     s.eval_grid(&[a, b], &[b, a], &mut grid);
     s.eval_grid(&[a], &[], &mut grid);
@@ -49,9 +49,14 @@ fn any<S: Surface<Point = P> + BoundedSurface>(s: &S, a: f64, b: f64) -> bool {
     let _ =
         (s.eval_with_partials::<0>(a, b), s.eval_with_partials::<1>(a, b), s.eval_with_partials::<4>(a, b));
     let _ = (s.partial(a, b, [0, 0]), s.partial(a, b, [1, 2]), s.partial(a, b, [9, 0]));
-    let [[lo, hi], [low, high]] = s.domain();
+    let domain = s.domain();
+    let [[lo, hi], [low, high]] = domain.ranges();
+    let (u, v) = domain.clamped(a, b);
     lo < hi
         && low < high
+        && s.eval_checked(a, b).is_ok() == domain.contains(a, b)
+        && (domain.contains(u, v) || a.is_nan() || b.is_nan())
+        && (is_nan(s.eval_clamped(a, b)) || !(a.is_nan() && b.is_nan()))
         && s.normal(a, b).is_none_or(is_unit)
         && s.curvature(a, b).is_none_or(|c| {
             is_finite(c.normal) && !c.gaussian().is_nan()
@@ -135,14 +140,16 @@ const TENSOR: &[Case<Tensor>] = &[
             inside && found.at_least <= found.distance && is_length(found.distance)
         })
     }),
-    ("join_uu", |s, a, _| {
-        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_uu(s, k, a).map_or(true, |t| t.rows().len() == 4))
-    }),
-    ("join_uv", |s, a, _| {
-        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_uv(s, k, a).map_or(true, |t| t.rows().len() == 4))
-    }),
-    ("join_vv", |s, a, _| {
-        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_vv(s, k, a).map_or(true, |t| t.rows().len() == 4))
+    ("continued", |s, a, b| {
+        let contact = |order| {
+            if order == 2 { Contact::Curvature { f: a, c: b } } else { Contact::Scaled { order, f: a } }
+        };
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|order| {
+            Edge::ALL.into_iter().all(|edge| {
+                let pair = EdgePair::against(edge, Edge::VEnd);
+                s.continued(pair, contact(order), s).map_or(true, |t| t.rows().len() == 4)
+            })
+        })
     }),
     ("edge_continuity", |s, a, b| {
         a != 0.0
@@ -165,12 +172,24 @@ const TENSOR: &[Case<Tensor>] = &[
             .order(a, b, a)
             .is_none_or(|k| k <= 2)
     }),
-    ("parameters", |s, a, _| {
-        Edge::ALL.iter().all(|e| {
-            let (u, v) = e.parameters(s.domain(), a);
+    ("on_edge", |s, a, _| {
+        Edge::ALL.iter().all(|&edge| {
+            let (u, v) = s.domain().on_edge(edge, a);
             !a.is_nan() || u.is_nan() || v.is_nan()
         })
     }),
+    ("contains", |s, a, b| s.domain().contains(a, b) == s.domain().check(a, b).is_ok()),
+    ("clamped", |_, a, b| {
+        let (u, v) = SurfaceDomain::Triangle.clamped(a, b);
+        SurfaceDomain::Triangle.contains(u, v) || a.is_nan() || b.is_nan()
+    }),
+    ("ranges", |s, _, _| s.domain().ranges() == [[0.0, 1.0]; 2]),
+    ("range", |_, a, _| {
+        let [lo, hi] = SurfaceDomain::Triangle.range(Direction::V, a);
+        lo <= hi || a.is_nan()
+    }),
+    ("at", |s, a, b| s.domain().at(a, b).0.to_bits() == a.to_bits() || a.is_nan()),
+    ("along", |s, _, _| is_curve(&Isocurve::along(s, Edge::VEnd), 0.5)),
     ("runs_along_u", |_, _, _| Edge::VStart.runs_along_u() && !Edge::UEnd.runs_along_u()),
     ("across", |_, _, _| Edge::VStart.across() == Direction::V && Edge::UEnd.across() == Direction::U),
     ("is_end", |_, _, _| Edge::UEnd.is_end() && !Edge::VStart.is_end()),
@@ -222,6 +241,10 @@ const REVOLVED: &[Case<Revolved>] = &[
     ("map", |s, a, b| {
         let image = s.map(|[x, y, z]| [x * a, y * a, z * b + a]);
         image.map_or(true, |t| any(&t, a, b) && t.angle() == s.angle())
+    }),
+    ("transform", |s, a, b| {
+        let image = s.transform(&[[a, 0.0, 0.0, b], [0.0, a, 0.0, 0.0], [0.0, 0.0, b, 0.0]]);
+        image.map_or(true, |t| !a.is_nan() && !b.is_nan() && t.angle() == s.angle())
     }),
     ("angle", |s, _, _| s.angle() == 4.0),
     ("generatrix", |s, _, _| s.generatrix().control_points().len() == 4),

@@ -38,8 +38,8 @@ mod tests {
         assert_eq!(tent.values([0.5, 0.25, 0.25]), [0.15625, 0.0625, 0.15625, 0.125, 0.125, 0.375]);
         assert_eq!(SimplexPatch::new(tent, [3.0; 6]).eval(0.5, 0.25), 3.0);
         let sheet = BoxPatch::new(Sheet::new(), [4.0, 0.0]);
-        assert_eq!(sheet.eval([1.0, 0.0]), 1.0);
-        assert_eq!(sheet.partial([1.0, 0.0], [1, 1]), 1.0);
+        assert_eq!(sheet.eval_at([1.0, 0.0]), 1.0);
+        assert_eq!(sheet.partial_at([1.0, 0.0], [1, 1]), 1.0);
     }
     /// All that such a file calls is there without features.
     #[test]

@@ -40,9 +40,9 @@ fn sums<B: TriangularBasis<Scalar = S> + ShippedPatch<Scalar = S>, S: Scalar>() 
             }
             assert_eq!(partials[0][0], patch.eval(at[0], at[1]));
             let [u, v] = [at[0], at[1]];
-            assert_eq!(patch.eval(u, v), patch.eval_barycentric([u, v, S::ONE - u - v]));
+            assert_eq!(patch.eval(u, v), patch.eval_at([u, v, S::ONE - u - v]));
             let w = S::ONE - u - v;
-            assert_eq!(patch.partial([u, v, w], [2, 1]), partials[2][1]);
+            assert_eq!(patch.partial_at([u, v, w], [2, 1]), partials[2][1]);
             let along_edge = patch.derivative([u, v, w], [S::ONE, S::ZERO, -S::ONE], 2);
             assert_eq!(along_edge, partials[2][0]);
         }
@@ -71,10 +71,10 @@ fn edges<B: TriangularBasis<Scalar = S> + ShippedPatch<Scalar = S>, S: Scalar>(o
         let points = B::Points::from_fn(|_| [random.between::<S>(-1.0, 1.0), random.between(-1.0, 1.0)]);
         let patch = TriangularPatch::new(basis, points);
         for edge in TriangleEdge::ALL {
-            let curve = patch.boundary(edge);
+            let curve = patch.edge_curve(edge);
             for t in (0..=16).map(|k| S::of(f64::from(k) / 16.0)) {
                 let [on_curve, tangent] = curve.eval_with_derivs(t);
-                let on_patch = patch.eval_barycentric(edge.point(t));
+                let on_patch = patch.eval_at(edge.point(t));
                 let [from, to] = [edge.point(S::ZERO), edge.point(S::ONE)];
                 let along = [0, 1, 2].map(|i| to[i] - from[i]);
                 let slope = patch.derivative(edge.point(t), along, 1);
@@ -107,7 +107,7 @@ fn edges<B: TriangularBasis<Scalar = S> + ShippedPatch<Scalar = S>, S: Scalar>(o
             (TriangleEdge::V, TriangleEdge::W),
             (TriangleEdge::W, TriangleEdge::U),
         ] {
-            assert_eq!(patch.boundary(edge).end(), patch.boundary(next).start());
+            assert_eq!(patch.edge_curve(edge).end(), patch.edge_curve(next).start());
         }
     }
 }
@@ -135,7 +135,7 @@ fn an_edge_of_type_ii_is_a_curve_over_its_own_points() {
     let points: [[f64; 2]; 10] = core::array::from_fn(|i| [i as f64, (i * i % 7) as f64]);
     let patches = [0.0, 1.0, 2.0].map(|mu| TriangularPatch::new(TriangularII::new(1.5, mu).unwrap(), points));
     for edge in TriangleEdge::ALL {
-        let curves = patches.map(|p| p.boundary(edge));
+        let curves = patches.map(|p| p.edge_curve(edge));
         for t in [0.0, 0.3, 0.9, 1.0] {
             assert_eq!(curves[0].eval(t), curves[1].eval(t));
             assert_eq!(curves[0].eval(t), curves[2].eval(t));
@@ -328,19 +328,19 @@ fn elements_interpolate_at_their_nodes() {
     let values: [f64; 10] = core::array::from_fn(|i| (i * i) as f64 - 7.0);
     let solid = SimplexPatch::new(Tetrahedral2::new(), values);
     for (index, value) in TetrahedronIndex::all(2).zip(values) {
-        assert_eq!(solid.eval_barycentric(index.components().map(|c| c as f64 / 2.0)), value);
+        assert_eq!(solid.eval_at(index.components().map(|c| c as f64 / 2.0)), value);
         assert_eq!(solid.control_point(index), Some(value));
     }
     assert_eq!(solid.control_point(TriangleIndex::new([1, 0, 1])), None);
     let element = BoxPatch::new(Serendipity::new(), [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
     let nodes = [[-1, -1], [1, -1], [1, 1], [-1, 1], [0, -1], [1, 0], [0, 1], [-1, 0]];
     for (node, value) in nodes.iter().zip(1..) {
-        assert_eq!(element.eval(node.map(f64::from)), f64::from(value));
+        assert_eq!(element.eval_at(node.map(f64::from)), f64::from(value));
     }
     // The element is quadratically complete: it reproduces its own coordinates.
     let coordinates = BoxPatch::new(Serendipity::new(), nodes.map(|n| n.map(f64::from)));
-    assert_eq!(coordinates.eval([0.25, -0.5]), [0.25, -0.5]);
-    assert_eq!(coordinates.partial([0.25, -0.5], [0, 1]), [0.0, 1.0]);
+    assert_eq!(coordinates.eval_at([0.25, -0.5]), [0.25, -0.5]);
+    assert_eq!(coordinates.partial_at([0.25, -0.5], [0, 1]), [0.0, 1.0]);
 }
 
 #[test]
@@ -391,7 +391,7 @@ fn indices_of_any_size_are_answered() {
 #[test]
 fn boundary_curves_can_be_made_from_their_family() {
     let patch = cubic(|[u, v, w]| [u, v * w, w]);
-    let edge = patch.boundary(TriangleEdge::V);
+    let edge = patch.edge_curve(TriangleEdge::V);
     let same = Curve::new(edge.basis(), <[[f64; 3]; 4]>::try_from(edge.control_points()).unwrap());
     assert_eq!(edge, same);
 }

@@ -47,7 +47,7 @@ pub(super) fn follow<P: Point3>(
     let Some(old) = network.patches.get(deformed) else {
         return Err(NetworkError::Patch { patch: deformed });
     };
-    for (a, b) in old.domain().into_iter().zip(surface.domain()) {
+    for (a, b) in old.domain().ranges().into_iter().zip(surface.domain().ranges()) {
         if a != b {
             let domains = [a, b].map(|ends| ends.map(Scalar::to_f64));
             return Err(NetworkError::Domain(KnotError::Domains { domains }));

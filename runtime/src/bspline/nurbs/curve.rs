@@ -5,7 +5,8 @@ use core::ops::Range;
 
 use super::homogeneous::check_weights;
 use crate::bspline::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
-use crate::geometry::{backwards, numerators, possible, replace_first};
+use crate::curve::backwards;
+use crate::geometry::{numerators, possible, replace_first};
 use crate::numeric::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
@@ -75,6 +76,8 @@ impl<P: Point> NurbsCurve<P> {
         let homogeneous = self.homogeneous.map(|p| Homogeneous::new(image(p.project()), p.weight));
         NurbsCurve { homogeneous }
     }
+
+    crate::affine::transform!();
 
     /// The same curve over homogeneous points.
     #[inline]

@@ -14,7 +14,7 @@ use crate::numeric::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::surface::partials_by_number;
-use crate::{BoundedSurface, CurveError, Point, Scalar, Surface, SurfacePiece};
+use crate::{BoundedSurface, CurveError, Point, Scalar, Surface, SurfaceDomain, SurfacePiece};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
 ///
@@ -64,6 +64,8 @@ impl<P: Point> NurbsSurface<P> {
         NurbsSurface { homogeneous }
     }
 
+    crate::affine::transform!();
+
     /// The same surface over homogeneous points.
     #[inline]
     pub fn homogeneous(&self) -> &BSplineSurface<Homogeneous<P>> {
@@ -92,9 +94,9 @@ impl<P: Point> NurbsSurface<P> {
         self.homogeneous.net().map(|point| point.weight)
     }
 
-    /// The ends of the domain of each parameter.
+    /// The rectangle of the parameters.
     #[inline]
-    pub fn domain(&self) -> [[P::Scalar; 2]; 2] {
+    pub fn domain(&self) -> SurfaceDomain<P::Scalar> {
         self.homogeneous.domain()
     }
 
@@ -102,14 +104,6 @@ impl<P: Point> NurbsSurface<P> {
     #[inline]
     pub fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
         self.homogeneous.eval(u, v).project()
-    }
-
-    /// The point `S(u, v)` for parameters in the domain.
-    ///
-    /// # Errors
-    /// [`KnotError::Outside`], also for NaN.
-    pub fn eval_checked(&self, u: P::Scalar, v: P::Scalar) -> Result<P, KnotError> {
-        self.homogeneous.eval_checked(u, v).map(|point| point.project())
     }
 
     /// The same surface over the knots of one direction and all of `knots`.
@@ -219,7 +213,7 @@ impl<P: Point> From<BSplineSurface<P>> for NurbsSurface<P> {
 impl<P: Point> Surface for NurbsSurface<P> {
     type Point = P;
 
-    fn domain(&self) -> [[P::Scalar; 2]; 2] {
+    fn domain(&self) -> SurfaceDomain<P::Scalar> {
         self.domain()
     }
 

@@ -185,6 +185,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         PiecewiseCurve { segments: self.segments.iter().map(|segment| segment.map(&mut image)).collect() }
     }
 
+    crate::affine::transform!();
+
     /// The segments as Bézier curves of the same degree.
     #[must_use]
     pub fn to_bezier(&self) -> PiecewiseCurve<BernsteinOf<B>, P> {

@@ -66,10 +66,11 @@ fn with_points<P: Point3>(
     surface: &(impl BoundedSurface<Point = P> + ?Sized),
     found: Vec<Pierced>,
 ) -> Vec<SurfaceMeeting<P>> {
-    let ranges = surface.domain();
+    let (domain, ranges) = (surface.domain(), surface.domain().ranges());
     let meeting = |f: Pierced| {
         let place = |k: usize, t: f64| crate::geometry::clamped(ranges[k], P::Scalar::of(t));
-        let (at, surface_at) = (parameter(f.at[0]), [place(0, f.at[1]), place(1, f.at[2])]);
+        let (u, v) = domain.clamped(P::Scalar::of(f.at[1]), P::Scalar::of(f.at[2]));
+        let (at, surface_at) = (parameter(f.at[0]), [u, v]);
         let found = point(at);
         SurfaceMeeting {
             kind: f.kind,

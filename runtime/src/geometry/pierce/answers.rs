@@ -41,7 +41,7 @@ pub(super) fn answers(search: &Search<'_>, curve: &[CurvePiece], surface: &[Surf
             found.push(Pierced { kind: MeetingKind::Crossing, curve: t, surface: [u, v], at });
         }
     }
-    for group in groups(&search.near, &place, gaps) {
+    for group in groups(&search.near, curve, surface, gaps) {
         // The rest of the neighbourhood of a crossing belongs to it.
         let next_to = |crossing: &&mut Pierced| {
             crossing.kind == MeetingKind::Crossing
@@ -84,12 +84,13 @@ fn hull(intervals: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
 
 /// Near parts whose intervals touch, as one.
 #[inline]
-fn groups(near: &[Near], place: &dyn Fn([usize; 2], Vector) -> Vector, gaps: Vector) -> Vec<Group> {
+fn groups(near: &[Near], curve: &[CurvePiece], surface: &[SurfacePiece], gaps: Vector) -> Vec<Group> {
     let mut parts: Vec<Group> = Vec::with_capacity(near.len());
     for (index, part) in near.iter().enumerate() {
-        let corners = [0, 1].map(|end| place(part.pieces, part.ranges.map(|range| range[end])));
+        let ([i, j], [t, x, y]) = (part.pieces, part.ranges);
+        let [u, v] = surface[j].parameter_ranges([x, y]);
         let ends = [0, 1, 2].map(|d| hull(part.ends.iter().map(|end| [end[d]; 2])));
-        let ranges = [0, 1, 2].map(|k| [corners[0][k], corners[1][k]]);
+        let ranges = [t.map(|t| curve[i].parameter(t)), u, v];
         parts.push(Group { ranges, ends, members: alloc::vec![index] });
     }
     parts.sort_by(|a, b| a.ranges[0][0].total_cmp(&b.ranges[0][0]));

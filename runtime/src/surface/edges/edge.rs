@@ -4,7 +4,7 @@ use crate::Surface;
 use crate::surface::limit::rounding;
 use crate::surface::{ScalarOf, VectorOf};
 use crate::vector::{cross, direction, distance, dot, largest_component, length, recast};
-use crate::{Curvature, Point, Point3, Scalar};
+use crate::{Curvature, Point, Point3, Scalar, SurfaceDomain};
 
 /// One of the two parameter directions of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -16,17 +16,17 @@ pub enum Direction {
     V,
 }
 
-/// An edge of the parameter rectangle of a surface.
+/// An edge of the parameters of a surface, a rectangle or a triangle: see [`SurfaceDomain`](crate::SurfaceDomain).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Edge {
     /// `u = lo`; runs along `v`.
     UStart,
-    /// `u = hi`; runs along `v`.
+    /// `u = hi`; runs along `v`. Of a triangle the corner `u = 1`.
     UEnd,
     /// `v = lo`; runs along `u`.
     VStart,
-    /// `v = hi`; runs along `u`.
+    /// `v = hi`; runs along `u`. Of a triangle `v = 1 - u`.
     VEnd,
 }
 
@@ -34,23 +34,12 @@ impl Edge {
     /// All four.
     pub const ALL: [Self; 4] = [Self::UStart, Self::UEnd, Self::VStart, Self::VEnd];
 
-    /// The parameters `(u, v)` at `x` along the edge, `0 <= x <= 1`. Exact at both ends.
-    pub fn parameters<S: Scalar>(self, [[u_lo, u_hi], [v_lo, v_hi]]: [[S; 2]; 2], x: S) -> (S, S) {
-        let along = |lo: S, hi: S| lo * (S::ONE - x) + hi * x;
-        match self {
-            Self::UStart => (u_lo, along(v_lo, v_hi)),
-            Self::UEnd => (u_hi, along(v_lo, v_hi)),
-            Self::VStart => (along(u_lo, u_hi), v_lo),
-            Self::VEnd => (along(u_lo, u_hi), v_hi),
-        }
-    }
-
     /// Whether the edge runs along `u`.
     pub fn runs_along_u(self) -> bool {
         matches!(self, Self::VStart | Self::VEnd)
     }
 
-    /// The parameter that is constant on the edge.
+    /// The parameter that is constant on the edge, of a triangle but for `VEnd`.
     pub fn across(self) -> Direction {
         if self.runs_along_u() { Direction::V } else { Direction::U }
     }
@@ -76,9 +65,13 @@ impl Edge {
     }
 
     /// The derivatives along the edge and across it, out of the surface.
-    fn derivatives<P: Point>(self, along_u: P, along_v: P) -> [P; 2] {
+    fn derivatives<P: Point>(self, is_triangle: bool, along_u: P, along_v: P) -> [P; 2] {
         let back = |p: P| p.scale(-P::Scalar::ONE);
         match self {
+            Self::UEnd if is_triangle => [P::zero(), along_u],
+            Self::VEnd if is_triangle => {
+                [along_u.minus(along_v), along_u.add_scaled(along_v, P::Scalar::ONE)]
+            }
             Self::UStart => [along_v, back(along_u)],
             Self::UEnd => [along_v, along_u],
             Self::VStart => [along_u, back(along_v)],
@@ -166,11 +159,11 @@ impl EdgePair {
     {
         let ends = [ScalarOf::<A>::ZERO, ScalarOf::<A>::ONE];
         let [start, end] = ends.map(|x| {
-            let (u, v) = first_edge.parameters(first.domain(), x);
+            let (u, v) = first.domain().on_edge(first_edge, x);
             first.eval(u, v)
         });
         let [other_start, other_end] = ends.map(|x| {
-            let (u, v) = second_edge.parameters(second.domain(), x);
+            let (u, v) = second.domain().on_edge(second_edge, x);
             second.eval(u, v)
         });
         let same = distance(start, other_start) + distance(end, other_end);
@@ -218,8 +211,8 @@ where
     let (mut without_normal, mut without_curvature) = (0, 0);
     for k in 0..=last {
         let x = ScalarOf::<A>::from_usize(k) / ScalarOf::<A>::from_usize(last);
-        let (u, v) = first_edge.parameters(first.domain(), x);
-        let (s, t) = second_edge.parameters(second.domain(), if reversed { one - x } else { x });
+        let (u, v) = first.domain().on_edge(first_edge, x);
+        let (s, t) = second.domain().on_edge(second_edge, if reversed { one - x } else { x });
         gap = larger(gap, distance(first.eval(u, v), second.eval(s, t)));
         let (Some(n), Some(m)) = (first.normal(u, v), second.normal(s, t)) else {
             without_normal += 1;
@@ -268,8 +261,10 @@ where
     let mut partials = [[A::Point::zero(); 2]; 2];
     surface.partials_into(u, v, 2, partials.as_flattened_mut());
     let [[point, along_v], [along_u, _]] = partials;
-    let [width_u, width_v] = surface.domain().map(|[lo, hi]| hi - lo);
-    let [along, out] = edge.derivatives(along_u.scale(width_u), along_v.scale(width_v));
+    let domain = surface.domain();
+    let [width_u, width_v] = domain.widths();
+    let is_triangle = domain == SurfaceDomain::Triangle;
+    let [along, out] = edge.derivatives(is_triangle, along_u.scale(width_u), along_v.scale(width_v));
     // Rounding errors have no direction.
     let [size, step] = [point, along].map(largest_component);
     if largest_component(out) <= rounding(size.max(step)) {

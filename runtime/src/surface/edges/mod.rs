@@ -1,7 +1,9 @@
 //! The edges of surfaces: what lies along them, and surfaces that join there.
 
 mod edge;
+#[cfg(feature = "alloc")]
 mod join;
+mod join_error;
 
 pub use edge::{Direction, Edge, EdgeContinuity, EdgePair, edge_continuity};
-pub use join::JoinError;
+pub use join_error::JoinError;

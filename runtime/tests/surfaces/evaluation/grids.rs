@@ -10,7 +10,7 @@ fn parameters(count: usize, lo: f64, hi: f64) -> Vec<f64> {
 }
 
 fn is_the_grid<T: Surface<Point = [f64; 3]>>(surface: &T, rows: usize, columns: usize) {
-    let [[u0, u1], [v0, v1]] = surface.domain();
+    let [[u0, u1], [v0, v1]] = surface.domain().ranges();
     let (us, vs) = (parameters(rows, u0, u1), parameters(columns, v0, v1));
     let mut out = vec![[f64::NAN; 3]; rows * columns];
     surface.eval_grid(&us, &vs, &mut out);

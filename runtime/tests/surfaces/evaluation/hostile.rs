@@ -3,8 +3,8 @@
 use std::cell::Cell;
 
 use basis_runtime::{
-    BernsteinBasis, BoundedSurface, Curve, Edge, EdgePair, MeshError, ScalarOf, Surface, SurfaceOfRevolution,
-    SurfacePiece, TensorSurface, Tessellation, edge_continuity,
+    BernsteinBasis, BoundedSurface, Contact, Curve, Edge, EdgePair, MeshError, ScalarOf, Surface,
+    SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, edge_continuity,
 };
 
 use crate::families::{QuarticBernstein, random_quartic};
@@ -42,8 +42,16 @@ fn nets_of_extreme_numbers() {
                 5,
             );
         }
-        let _ = surface.join_uu(&surface, round % 5, 1.0);
-        let _ = surface.join_vv(&surface, round % 5, 1e300);
+        let _ = surface.continued(
+            EdgePair::along(Edge::VEnd, Edge::VStart),
+            Contact::Parametric { order: round % 5 },
+            &surface,
+        );
+        let _ = surface.continued(
+            EdgePair::along(Edge::UEnd, Edge::UStart),
+            Contact::Scaled { order: round % 5, f: 1e300 },
+            &surface,
+        );
         if let Ok(mesh) = Tessellation::new(0.05).unwrap().with(&surface).with(&surface).mesh() {
             assert!(mesh.positions.iter().flatten().all(|c| c.is_finite()));
         }
@@ -81,7 +89,7 @@ struct Counted<'a, S> {
 impl<S: Surface> Surface for Counted<'_, S> {
     type Point = S::Point;
 
-    fn domain(&self) -> [[ScalarOf<Self>; 2]; 2] {
+    fn domain(&self) -> SurfaceDomain<ScalarOf<Self>> {
         self.surface.domain()
     }
 

@@ -1,11 +1,21 @@
 //! Joined surfaces have the order of contact asked for, and the measurement sees it.
 
-use basis_runtime::{Direction, Edge, EdgePair, JoinError, Surface, TensorSurface, edge_continuity};
+use basis_runtime::{
+    BernsteinBasis, Contact, Direction, Edge, EdgePair, JoinError, Surface, TensorSurface, edge_continuity,
+};
 
 use crate::families::{
     Cubic, FiveParameters, QuarticBernstein, bicubic, graph, random_quartic, random_surface,
 };
 use crate::random::Random;
+
+const UU: EdgePair = EdgePair::along(Edge::VEnd, Edge::VStart);
+const UV: EdgePair = EdgePair::along(Edge::VEnd, Edge::UStart);
+const VV: EdgePair = EdgePair::along(Edge::UEnd, Edge::UStart);
+
+fn scaled(order: usize, f: f64) -> Contact<f64> {
+    Contact::Scaled { order, f }
+}
 
 type Net = [[[f64; 3]; 4]; 4];
 
@@ -34,7 +44,7 @@ fn u_u() {
         let draft = TensorSurface::with_rows(lambda, gammas, sheet(random, 0.0, 3.0));
         let factor = random.between(0.5, 2.0);
         for contact in 0..=2 {
-            let next = first.join_uu(&draft, contact, factor).unwrap();
+            let next = first.continued(UU, scaled(contact, factor), &draft).unwrap();
             let measured = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
             assert!(measured.same_side);
@@ -69,7 +79,7 @@ fn u_u_in_the_papers_terms() {
     let first = random_surface::<[f64; 3]>(random);
     let gammas = core::array::from_fn(|_| random_quartic(random));
     let draft = TensorSurface::with_rows(first.u_basis(), gammas, sheet(random, 0.0, 0.0));
-    let next = first.join_uu(&draft, 1, 0.8).unwrap();
+    let next = first.continued(UU, scaled(1, 0.8), &draft).unwrap();
     let (p, q) = (net(&first), net(&next));
     for i in 0..4 {
         let (before, after) = (first.rows()[i].basis().lambda(), gammas[i].lambda());
@@ -98,7 +108,7 @@ fn u_v() {
             let other = random_quartic(random);
             let gammas = core::array::from_fn(|i| if i <= contact { lambda } else { other });
             let draft = TensorSurface::with_rows(random_quartic(random), gammas, points);
-            let next = first.join_uv(&draft, contact, 1.3).unwrap();
+            let next = first.continued(UV, scaled(contact, 1.3), &draft).unwrap();
             let measured = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::UStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
             assert!(!measured.same_side);
@@ -106,8 +116,8 @@ fn u_v() {
                 let mut gammas = gammas;
                 gammas[contact] = other;
                 let draft = TensorSurface::with_rows(draft.u_basis(), gammas, points);
-                let error = first.join_uv(&draft, contact, 1.0).unwrap_err();
-                assert_eq!(error, JoinError::SecondShape { row: Some(contact) });
+                let error = first.continued(UV, scaled(contact, 1.0), &draft).unwrap_err();
+                assert_eq!(error, JoinError::SecondShape { row: contact });
             }
         }
     }
@@ -123,12 +133,12 @@ fn v_v() {
             let first = TensorSurface::with_rows(random_quartic(random), gammas, sheet(random, 0.0, 0.0));
             let gammas = core::array::from_fn(|i| if i <= contact { edge } else { other });
             let draft = TensorSurface::with_rows(random_quartic(random), gammas, sheet(random, 3.0, 0.0));
-            let next = first.join_vv(&draft, contact, 0.7).unwrap();
+            let next = first.continued(VV, scaled(contact, 0.7), &draft).unwrap();
             let measured = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
             assert!(measured.same_side);
             if contact < 2 {
-                let error = first.join_vv(&draft, contact + 1, 1.0).unwrap_err();
+                let error = first.continued(VV, scaled(contact + 1, 1.0), &draft).unwrap_err();
                 assert_eq!(error, JoinError::FirstShape { row: 2 - contact });
             }
         }
@@ -140,19 +150,64 @@ fn refused() {
     let random = &mut Random::new(75);
     let first = random_surface::<[f64; 3]>(random);
     let same = TensorSurface::new(first.u_basis(), Cubic::new(), net(&first));
-    assert_eq!(first.join_uu(&same, 4, 1.0), Err(JoinError::Contact { most: 3, found: 4 }));
-    assert!(first.join_uu(&same, 3, 1.0).is_ok());
+    assert_eq!(first.continued(UU, scaled(4, 1.0), &same), Err(JoinError::Contact { most: 3, found: 4 }));
+    assert!(first.continued(UU, scaled(3, 1.0), &same).is_ok());
     for factor in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(first.join_uu(&same, 1, factor), Err(JoinError::Factor { value: factor }));
+        assert_eq!(
+            first.continued(UU, scaled(1, factor), &same),
+            Err(JoinError::Factor { name: "f", value: factor })
+        );
     }
-    assert!(first.join_uu(&same, 1, f64::NAN).is_err());
+    assert!(first.continued(UU, scaled(1, f64::NAN), &same).is_err());
     let other = TensorSurface::new(random_quartic(random), Cubic::new(), net(&first));
-    assert_eq!(first.join_uu(&other, 0, 1.0), Err(JoinError::SecondShape { row: None }));
+    assert_eq!(first.continued(UU, scaled(0, 1.0), &other), Err(JoinError::Unreachable));
     // At γ = -3 the derivative at the end is zero whatever the control points are.
     let flat = TensorSurface::new(first.u_basis(), QuarticBernstein::new(-3.0).unwrap(), net(&first));
-    assert_eq!(first.join_uu(&flat, 1, 1.0), Err(JoinError::Undetermined));
-    assert!(first.join_uu(&flat, 0, 1.0).is_ok());
+    assert_eq!(first.continued(UU, scaled(1, 1.0), &flat), Err(JoinError::Undetermined));
+    assert!(first.continued(UU, scaled(0, 1.0), &flat).is_ok());
     assert!(JoinError::Undetermined.to_string().contains("shape values"));
+}
+
+/// Every edge against every other one, in both directions, to a family that holds the derivatives along the edge, of a
+/// higher degree; and a second derivative that is moved along the first.
+#[test]
+fn of_all_edges() {
+    let random = &mut Random::new(76);
+    let basis = BernsteinBasis::<f64, 6>::new();
+    for first_edge in Edge::ALL {
+        for second_edge in Edge::ALL {
+            for reversed in [false, true] {
+                let (edge, along) = (random_quartic(random), random_quartic(random));
+                let first = TensorSurface::new(edge, along, sheet(random, 0.0, 0.0));
+                let net: [[[f64; 3]; 6]; 6] = core::array::from_fn(|i| {
+                    core::array::from_fn(|j| [i as f64, j as f64, random.between(-0.3, 0.3)])
+                });
+                let draft = TensorSurface::new(basis, basis, net);
+                let make = if reversed { EdgePair::against } else { EdgePair::along };
+                let pair = make(first_edge, second_edge);
+                for (contact, order) in [
+                    (Contact::Parametric { order: 0 }, 0),
+                    (Contact::Tangent { f: 1.25 }, 1),
+                    (Contact::Curvature { f: 0.75, c: 0.5 }, 2),
+                    (scaled(3, 1.5), 2),
+                ] {
+                    let next = first.continued(pair, contact, &draft).unwrap();
+                    let measured = edge_continuity(&first, &next, pair, 17);
+                    assert_eq!(
+                        measured.order(1e-11, 1e-8, 1e-6),
+                        Some(order),
+                        "{pair:?} {contact:?} {measured:?}"
+                    );
+                    let is_kept = |i: usize, j: usize| {
+                        let across = if second_edge.across() == Direction::U { i } else { j };
+                        let away = if second_edge.is_end() { 5 - across } else { across };
+                        away <= contact.order() || next.control_point(i, j) == Some(net[i][j])
+                    };
+                    assert!((0..36).all(|n| is_kept(n / 6, n % 6)));
+                }
+            }
+        }
+    }
 }
 
 /// Half a turn about the edge: the tangent planes agree, but the surface comes back.

@@ -30,10 +30,10 @@ where
         }
     }
     for surface in surfaces {
-        let [[u0, u1], [v0, v1]] = surface.domain();
         for n in 0..7 * 7 {
             let [x, y] = [n / 7, n % 7].map(|k| f64::from(k) / 6.0);
-            let point = surface.eval(u0 * (1.0 - x) + u1 * x, v0 * (1.0 - y) + v1 * y);
+            let (u, v) = surface.domain().at(x, y);
+            let point = surface.eval(u, v);
             let point = [0, 1, 2].map(|k| point.component(k));
             let corners =
                 |triangle: &[u32; 3]| mesh.corners(*triangle).unwrap().map(|p| mesh.positions[p as usize]);

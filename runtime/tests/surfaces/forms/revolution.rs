@@ -2,7 +2,9 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use basis_runtime::{Curve, RevolutionError, Surface, SurfaceOfRevolution, half_turn_parameter};
+use basis_runtime::{
+    Curve, RevolutionError, Surface, SurfaceDomain, SurfaceOfRevolution, half_turn_parameter,
+};
 
 use crate::families::{Cubic, QuarticBernstein};
 use crate::random::Random;
@@ -35,7 +37,7 @@ fn angles() -> Vec<f64> {
 fn ends_at_the_angle() {
     for angle in angles() {
         let surface = vase(0.5, angle);
-        assert_eq!(surface.domain(), [[0.0, 1.0], [0.0, angle]]);
+        assert_eq!(surface.domain(), SurfaceDomain::Rectangle([[0.0, 1.0], [0.0, angle]]));
         let end = surface.eval(1.0, angle);
         assert!((end[1] - 2.0 * angle.cos()).abs() < 1e-14 && (end[2] - 2.0 * angle.sin()).abs() < 1e-14);
         assert_eq!(surface.meridian(angle).eval(1.0), end);

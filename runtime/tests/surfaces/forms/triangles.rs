@@ -1,8 +1,9 @@
 //! Triangular patches as tensor surfaces.
 
 use basis_runtime::{
-    Edge, EdgePair, JoinError, Surface, Tessellation, TriangleEdge, TriangleIndex, TriangularBernsteinBasis,
-    TriangularBezier, TriangularBezierOf, TriangularPatch, basis, edge_continuity,
+    Edge, EdgePair, JoinError, Surface, SurfaceDomain, Tessellation, TriangleContact, TriangleEdge,
+    TriangleIndex, TriangularBernsteinBasis, TriangularBezier, TriangularBezierOf, TriangularPatch, basis,
+    edge_continuity,
 };
 
 use crate::random::Random;
@@ -26,13 +27,13 @@ fn are_the_same_surface() {
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let patch: TriangularPatch<_, [f64; 3]> = TriangularPatch::new(basis, points);
         let surface = patch.to_tensor_surface();
-        let (s, r): (f64, f64) = (random.between(0.01, 1.0), random.between(0.0, 1.0));
-        let (u, v) = (1.0 - s, s * (1.0 - r));
-        assert!(near(surface.eval(s, r), patch.eval(u, v), 4e-15));
-        assert!(near(surface.normal(s, r).unwrap(), patch.normal(u, v).unwrap(), 1e-10));
+        let (x, y): (f64, f64) = (random.between(0.0, 0.99), random.between(0.0, 1.0));
+        let (u, v) = SurfaceDomain::Triangle.at(x, y);
+        assert!(near(surface.eval(x, y), patch.eval(u, v), 4e-15));
+        assert!(near(surface.normal(x, y).unwrap(), patch.normal(u, v).unwrap(), 1e-10));
         // At the corner that has become an edge.
-        assert!(near(surface.eval(0.0, r), patch.eval(1.0, 0.0), 4e-15));
-        assert!(near(surface.normal(0.0, r).unwrap(), patch.normal(1.0, 0.0).unwrap(), 1e-10));
+        assert!(near(surface.eval(1.0, y), patch.eval(1.0, 0.0), 4e-15));
+        assert!(near(surface.normal(1.0, y).unwrap(), patch.normal(1.0, 0.0).unwrap(), 1e-10));
     }
 }
 
@@ -59,7 +60,7 @@ fn mesh_together() {
                 let length: f64 = point.iter().map(|c| c * c).sum::<f64>().sqrt();
                 point.map(|c| c / length)
             });
-            TriangularPatch::new(basis, points).to_tensor_surface()
+            TriangularPatch::new(basis, points)
         })
         .collect();
     let mut tessellation = Tessellation::new(0.003).unwrap();
@@ -81,10 +82,8 @@ fn have_curvatures_and_parts() {
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let patch: TriangularPatch<_, [f64; 3]> = TriangularPatch::new(basis, points);
         let (u, v): (f64, f64) = (random.between(0.1, 0.4), random.between(0.1, 0.4));
-        let (ours, theirs) = (
-            patch.curvature(u, v).unwrap(),
-            patch.to_tensor_surface().curvature(1.0 - u, 1.0 - v / (1.0 - u)).unwrap(),
-        );
+        let (ours, theirs) =
+            (patch.curvature(u, v).unwrap(), patch.to_tensor_surface().curvature(u, v / (1.0 - u)).unwrap());
         assert!((ours.gaussian() - theirs.gaussian()).abs() < 1e-9 * ours.gaussian().abs().max(1.0));
         assert!((ours.mean() - theirs.mean()).abs() < 1e-9 * ours.mean().abs().max(1.0));
 
@@ -96,7 +95,7 @@ fn have_curvatures_and_parts() {
         let part = patch.part(corners);
         let at = [0.2, 0.5, 0.3];
         let there = core::array::from_fn(|c| (0..3).map(|k| at[k] * corners[k][c]).sum());
-        assert!(near(part.eval_barycentric(at), patch.eval_barycentric(there), 1e-12));
+        assert!(near(part.eval_at(at), patch.eval_at(there), 1e-12));
     }
 }
 
@@ -120,8 +119,8 @@ fn are_elevated_and_split() {
         let bezier: TriangularBezierOf<TriangularII, [f64; 3]> = patch.to_bezier();
         let elevated: TriangularBezier<[f64; 3], 8, 36> = patch.elevate();
         let at = inside(random);
-        assert!(near(bezier.eval_barycentric(at), patch.eval_barycentric(at), 1e-14));
-        assert!(near(elevated.eval_barycentric(at), patch.eval_barycentric(at), 1e-14));
+        assert!(near(bezier.eval_at(at), patch.eval_at(at), 1e-14));
+        assert!(near(elevated.eval_at(at), patch.eval_at(at), 1e-14));
         assert_eq!(patch.elevate::<5, 15>(), bezier);
         // The corners are exact.
         for corner in [[7, 0, 0], [0, 7, 0], [0, 0, 7]] {
@@ -130,7 +129,7 @@ fn are_elevated_and_split() {
         }
         for (edge, [start, end]) in TriangleEdge::ALL.into_iter().zip([[1, 2], [2, 0], [0, 1]]) {
             let t = random.between(0.0, 1.0);
-            let [first, second] = patch.split(edge, t);
+            let [first, second] = patch.split_edge(edge, t);
             let moved = edge.point(t);
             for (part, place) in [(first, end), (second, start)] {
                 // The corner at that place has moved.
@@ -138,7 +137,7 @@ fn are_elevated_and_split() {
                     let own = if c == place { 0.0 } else { at[c] };
                     own + at[place] * moved[c]
                 });
-                assert!(near(part.eval_barycentric(at), patch.eval_barycentric(there), 1e-13));
+                assert!(near(part.eval_at(at), patch.eval_at(there), 1e-13));
             }
             // The points of the common line: those without the corner that has not moved.
             for (a, b) in [(0, 4), (1, 3), (3, 1), (4, 0)] {
@@ -168,7 +167,7 @@ fn have_nearest_points() {
         assert!((away(found.point) - found.distance).abs() < 1e-14);
         assert!(found.at_least >= found.distance - 1e-6 && found.at_least <= found.distance);
         for _ in 0..2000 {
-            assert!(away(patch.eval_barycentric(inside(random))) >= found.at_least);
+            assert!(away(patch.eval_at(inside(random))) >= found.at_least);
         }
     }
 }
@@ -186,28 +185,33 @@ fn are_continued() {
         apex[(place + 1) % 3] = 1.0 - apex[place] - apex[(place + 2) % 3];
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let family = TriangularII::new(random.between(0.5, 3.0), random.between(0.5, 2.0)).unwrap();
-        let second = first.continued(edge, apex, 1, family, points).unwrap();
+        let second = first
+            .continued(edge, TriangleContact { order: 1, apex }, &TriangularPatch::new(family, points))
+            .unwrap();
         // Control points farther away are free.
         assert!(
             TriangleIndex::all(4)
                 .filter(|index| index.components()[2] > 1)
                 .all(|index| { second.control_point(index) == Some(points[index.position()]) })
         );
-        // The edges u = 0 and w = 0 are UEnd and VStart of the tensor surface.
+        // The edges u = 0 and w = 0.
         let turned = first.part(core::array::from_fn(|k| {
             let mut corner = [0.0; 3];
             corner[(place + k) % 3] = 1.0;
             corner
         }));
-        let (a, b) = (turned.to_tensor_surface(), second.to_tensor_surface());
-        let joint = edge_continuity(&a, &b, EdgePair::against(Edge::UEnd, Edge::VStart), 33);
+        let pair = EdgePair::nearest(&turned, Edge::UStart, &second, Edge::VEnd);
+        assert_eq!(pair, EdgePair::against(Edge::UStart, Edge::VEnd));
+        let joint = edge_continuity(&turned, &second, pair, 33);
         assert!(joint.gap < 1e-11 && joint.angle < 1e-6 && joint.same_side, "{joint:?}");
         assert!(joint.curvature > 1e-3);
 
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let basis = TriangularBernsteinBasis::<f64, 7, 28>::new();
-        let smooth = first.continued(edge, apex, 2, basis, points).unwrap().to_tensor_surface();
-        let joint = edge_continuity(&a, &smooth, EdgePair::against(Edge::UEnd, Edge::VStart), 33);
+        let smooth = first
+            .continued(edge, TriangleContact { order: 2, apex }, &TriangularPatch::new(basis, points))
+            .unwrap();
+        let joint = edge_continuity(&turned, &smooth, pair, 33);
         assert_eq!(joint.order(1e-11, 1e-6, 1e-4), Some(2), "{joint:?}");
     }
 }
@@ -218,14 +222,22 @@ fn continuations_that_do_not_exist() {
     let family = TriangularII::new(2.0, 1.5).unwrap();
     let points = [[0.5; 3]; 15];
     let apex = [-1.0, 1.0, 1.0];
-    let along = |apex, order| first.continued(TriangleEdge::U, apex, order, family, points).map(|_| ());
+    let draft = TriangularPatch::new(family, points);
+    let along =
+        |apex, order| first.continued(TriangleEdge::U, TriangleContact { order, apex }, &draft).map(|_| ());
     assert_eq!(along(apex, 1), Ok(()));
     assert_eq!(along([0.5, 0.5, 0.0], 1), Err(JoinError::Apex { value: 0.5 }));
     assert!(matches!(along([f64::NAN, 0.5, 0.5], 1), Err(JoinError::Apex { .. })));
     assert_eq!(along(apex, 5), Err(JoinError::Contact { most: 4, found: 5 }));
     // Four points on an edge of degree four are one too few.
     let quartic = TriangularI::new(2.0, 4.0).unwrap();
-    let found = first.continued(TriangleEdge::U, apex, 0, quartic, [[0.5; 3]; 6]).map(|_| ());
+    let found = first
+        .continued(
+            TriangleEdge::U,
+            TriangleContact { order: 0, apex },
+            &TriangularPatch::new(quartic, [[0.5; 3]; 6]),
+        )
+        .map(|_| ());
     assert_eq!(found, Err(JoinError::Unreachable));
     // At λ2 = 0 and λ1 = 3 the order 3 has no function for its inner point; at λ2 = 2 all are those of Bernstein.
     let cubic = TriangularBezier::<[f64; 3], 4, 10>::from_points(core::array::from_fn(|k| {
@@ -234,15 +246,17 @@ fn continuations_that_do_not_exist() {
     }));
     let with = |lambda2| {
         let basis = TriangularCubic::new(3.0, lambda2).unwrap();
-        cubic.continued(TriangleEdge::U, apex, 1, basis, [[0.5; 3]; 10])
+        cubic.continued(
+            TriangleEdge::U,
+            TriangleContact { order: 1, apex },
+            &TriangularPatch::new(basis, [[0.5; 3]; 10]),
+        )
     };
     assert_eq!(with(0.0).map(|_| ()), Err(JoinError::Unreachable));
     let bernstein = cubic.continued(
         TriangleEdge::U,
-        apex,
-        1,
-        TriangularBernsteinBasis::<f64, 4, 10>::new(),
-        [[0.5; 3]; 10],
+        TriangleContact { order: 1, apex },
+        &TriangularBezier::<[f64; 3], 4, 10>::from_points([[0.5; 3]; 10]),
     );
     let (ours, theirs) = (with(2.0).unwrap(), bernstein.unwrap());
     assert!(ours.control_points().iter().zip(theirs.control_points()).all(|(&a, &b)| near(a, b, 1e-13)));

@@ -1,0 +1,85 @@
+//! Why a surface cannot continue another one.
+
+use core::error::Error;
+use core::fmt::{self, Display, Formatter};
+
+use crate::CurveError;
+
+/// Why a surface cannot continue another one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum JoinError {
+    /// A row of the first surface that counts at the edge has other shape values than the others, so that its
+    /// derivatives across the edge are no curves of one family.
+    FirstShape {
+        /// The row.
+        row: usize,
+    },
+    /// A row of the second surface that counts at the edge has other shape values than the others.
+    SecondShape {
+        /// The row.
+        row: usize,
+    },
+    /// A factor of the [`Contact`](crate::Contact) is not finite, or `f`, a ratio of velocities, not positive.
+    Factor {
+        /// Which one, `f` or `c`.
+        name: &'static str,
+        /// The factor.
+        value: f64,
+    },
+    /// The order of contact is too high: for the number of control points across the edge, or at all.
+    Contact {
+        /// The highest order that is possible.
+        most: usize,
+        /// The order asked for.
+        found: usize,
+    },
+    /// The apex of a triangle that continues another one across an edge is not beyond the edge.
+    Apex {
+        /// Its barycentric coordinate that must be negative.
+        value: f64,
+    },
+    /// No control points of the family with these shape values give the second surface the derivatives of the first one.
+    Unreachable,
+    /// With these shape values the control points next to the edge do not determine the derivatives across it; in the
+    /// quartic family at γ = -3.
+    Undetermined,
+}
+
+impl Display for JoinError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::FirstShape { row } => write!(
+                f,
+                "row {row} of the first surface counts at the edge, but has other shape values than the \
+                 rows beside it: give all of them the same"
+            ),
+            Self::SecondShape { row } => write!(
+                f,
+                "row {row} of the second surface counts at the edge, but has other shape values than the \
+                 rows beside it: give all of them the same"
+            ),
+            Self::Factor { name, value } => CurveError::Factor { name, value: *value }.fmt(f),
+            Self::Contact { most, found } => {
+                write!(f, "contact of order {found} is not possible, at most of order {most}")
+            }
+            Self::Apex { value } => write!(
+                f,
+                "the apex is not beyond the edge: its barycentric coordinate that belongs to the \
+                 opposite corner is {value}, and must be negative"
+            ),
+            Self::Unreachable => write!(
+                f,
+                "no control points of the second one continue the first one with these shape values: \
+                 choose those of the first one along the edge, or a family with more functions of its degree, such as that of Bernstein"
+            ),
+            Self::Undetermined => write!(
+                f,
+                "with these shape values of the second surface its control points do not determine the \
+                 derivatives across the edge: choose others"
+            ),
+        }
+    }
+}
+
+impl Error for JoinError {}
