@@ -172,7 +172,7 @@ fn factored<'f>(
     let factors = basis_prover::working(family.budget, &mut |work| factors(&value, strict, found, work))?;
     let mut all = Vec::new();
     for factor in factors {
-        let of = factor.display(&family.names).to_string();
+        let of = factor.display(&family.names);
         all.extend(by_a_way(family, (&of, &factor, comparison), part, sample, saying)?);
     }
     Some(all)

@@ -230,9 +230,8 @@ fn steps(
             (fine::cells(family, angle, range, *count, &whole)?, NEXT_TO_A_POINT)
         }
         (Way::Ladder(level) | Way::Whole(level) | Way::Parameter(level), _) => (vec![whole], *level),
-        (Way::Wider | Way::Combination | Way::Parts(_), _)
-        | (Way::Cells(_) | Way::Fine(_) | Way::Halves(_) | Way::Mirrored(_), None)
-        | (Way::Factors, _) => return None,
+        (Way::Wider | Way::Combination | Way::Parts(_) | Way::Factors, _)
+        | (Way::Cells(_) | Way::Fine(_) | Way::Halves(_) | Way::Mirrored(_), None) => return None,
     };
     let (mut all, mut changed) = (Vec::new(), false);
     for step in found {
