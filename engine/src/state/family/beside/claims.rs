@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use basis_kernel::{Domain, Proof, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::{Coordinate, Counterexample, simple, within};
+use basis_prover::{Coordinate, Counterexample, simple, within, working_with};
 
 use super::factors::factors;
 use super::{Sample, combination, sample, values};
@@ -158,6 +158,9 @@ fn combined<'f>(
     Some(all)
 }
 
+/// The work for finding factors, most of which leads to none.
+const FACTORING: u64 = 1_500_000;
+
 /// What is enough for a product, each of whose factors goes a way of its own.
 fn factored<'f>(
     family: &'f Family,
@@ -169,7 +172,7 @@ fn factored<'f>(
     let (value, comparison) = positive(value, comparison)?;
     let found = sampled(family, sample)?;
     let strict = comparison == Comparison::Greater;
-    let factors = basis_prover::working(family.budget, &mut |work| factors(&value, strict, found, work))?;
+    let factors = working_with(FACTORING, &mut |work| factors(&value, strict, found, work))?;
     let mut all = Vec::new();
     for factor in factors {
         let of = factor.display(&family.names);

@@ -12,8 +12,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::work::Work;
 
-/// The factors of a value, each with the sign that makes it ≥ 0 where it is looked at; `None` for a value with a single one, where a
-/// factor has both signs, and where an odd number of them is negative. Those of which there is an even power are left out unless
+/// The factors of a value, each with the sign that makes it ≥ 0 where it is looked at; `None` for a numerator with a single one,
+/// where a factor has both signs, and where an odd number of them is negative. Those of which there is an even power are left out unless
 /// the value is to be > 0.
 pub(super) fn factors(
     value: &Fraction,
@@ -39,11 +39,11 @@ pub(super) fn factors(
         }
         parts.push((Fraction::new(numerator, divisor)?, exponent));
     }
-    let left = denominators.into_iter().filter(|(_, exponent)| *exponent > 0);
-    parts.extend(left.map(|(denominator, exponent)| (Fraction::from(denominator), exponent)));
     if parts.len() < 2 && parts.iter().all(|(_, exponent)| *exponent == 1) {
         return None;
     }
+    let left = denominators.into_iter().filter(|(_, exponent)| *exponent > 0);
+    parts.extend(left.map(|(denominator, exponent)| (Fraction::from(denominator), exponent)));
     let (mut sign, mut all) = (above.signum() * below.signum(), Vec::new());
     for (part, exponent) in parts {
         let is_even = exponent.is_multiple_of(2);
