@@ -40,6 +40,7 @@ mod net;
 mod relative;
 mod rest;
 mod series;
+mod sum;
 
 use std::rc::Rc;
 
