@@ -4,15 +4,17 @@
 //! A value is Σ cⱼ Bⱼ in Bernstein form, or xⁱsʲ S Σ gⱼ Bⱼ with a factor S such as the reciprocal of a denominator, cⱼ
 //! = gⱼS; both are functions of shape values only. On each of a few parts of their ranges there are statements in shape
 //! values alone: μ ≤ cⱼ ≤ Λ, and the error of the coefficients is at most E u, that of S at most ϱ u times S; file
-//! `majorant`. With these numbers a value is at least a polynomial in the smaller coordinate and its error at most another
-//! one (file `sum`), so that there are statements in this coordinate alone: κ times the one is at least the other.
+//! `majorant`. With these numbers a value is at least a polynomial in the smaller coordinate and its error at most
+//! another one (file `sum`), so that there are statements in this coordinate alone: κ times the one is at least the
+//! other.
 //!
 //! What the quotient P/Q of polynomials differs from the function A/B by comes to this, with |A − P| ≤ a·e, e = yⁱ(1 −
-//! y)ʲ, |B − Q| ≤ b, |Q| ≥ q: at most (a·e + b·|P/Q|)/(q − b), as P/Q − A/B = ((P − A) + (B − Q)·P/Q)/B. The numbers a and
-//! b are found by arithmetic outside of the kernel ([`Truncation`]). They count for floats of 64 bits, u = 2⁻⁵³; for
-//! shorter ones they are fewer u.
+//! y)ʲ, |B − Q| ≤ b, |Q| ≥ q: at most (a·e + b·|P/Q|)/(q − b), as P/Q − A/B = ((P − A) + (B − Q)·P/Q)/B. The numbers a
+//! and b are found by arithmetic outside of the kernel ([`Truncation`]). They count for floats of 64 bits, u = 2⁻⁵³;
+//! for shorter ones they are fewer u.
 //!
-//! A point of a curve is a sum in both coordinates, whose coefficients are those of the functions times the control points.
+//! A point of a curve is a sum in both coordinates, whose coefficients are those of the functions times the control
+//! points.
 
 use super::angles::{inputs, off};
 use super::cell::Cell;
@@ -60,8 +62,8 @@ pub(super) fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
     })
 }
 
-/// Does something with a share of the work on the whole range of a shape parameter, and if that takes little of it, on parts
-/// of the range.
+/// Does something with a share of the work on the whole range of a shape parameter, and if that takes little of it, on
+/// parts of the range.
 fn on_finest<T>(share: u64, work: &mut Work, part: &mut dyn FnMut(u32, &mut Work) -> Option<T>) -> Option<T> {
     let before = work.left();
     let whole = with_share(work, share.min(before), &mut |work| part(1, work))?;
@@ -136,8 +138,8 @@ fn on_span(
 /// The content of a function and the powers of x and s in it.
 type Factor<'f> = (&'f Rational, [u32; 2]);
 
-/// The coefficients of the sum of which a function is made, and where other factors come after it, the reciprocal of its
-/// denominator as the last output.
+/// The coefficients of the sum of which a function is made, and where other factors come after it, the reciprocal of
+/// its denominator as the last output.
 fn coefficient_steps<'f>(
     piece: &Family,
     form: &'f RationalForm,
@@ -316,8 +318,8 @@ fn coefficients(
     Some(all)
 }
 
-/// A number of u with what is of higher order: a product of factors that are off by S u in all is off by at most (1 + 3 S
-/// u) S u.
+/// A number of u with what is of higher order: a product of factors that are off by S u in all is off by at most (1 + 3
+/// S u) S u.
 fn with_higher(sum: &Rational) -> Option<Rational> {
     Some(sum + &rest::of_product(sum)?)
 }
@@ -342,8 +344,8 @@ pub(super) fn point(family: &Family) -> Option<Bound> {
     })
 }
 
-/// At the ends of a span the runtime has a point from the values of the functions, which are no entries of the table where
-/// there are factors after a sum.
+/// At the ends of a span the runtime has a point from the values of the functions, which are no entries of the table
+/// where there are factors after a sum.
 fn point_at_ends(
     piece: &Family,
     form: &RationalForm,

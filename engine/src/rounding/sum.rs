@@ -8,14 +8,15 @@
 //!
 //! Σⱼ ((j + 3)|cⱼ| + 3j|cⱼ₋₁|) Bⱼ + Σ |cⱼ|Bⱼ.
 //!
-//! A coordinate that is off by w u moves the sum by w y n Σ (cⱼ₊₁ − cⱼ) Bⱼⁿ⁻¹, at most w Σ j|cⱼ − cⱼ₋₁| Bⱼ. What is of higher
-//! order is at most a multiple of n²u of Σ |cⱼ|Bⱼ with a factor below 50, and (n w)²u with one below 2: together less than 1
-//! for n ≤ 64 and n w ≤ 512. That is counted by hand; `engine/tests/proofs/rounding_of_sines.rs` looks for larger errors.
+//! A coordinate that is off by w u moves the sum by w y n Σ (cⱼ₊₁ − cⱼ) Bⱼⁿ⁻¹, at most w Σ j|cⱼ − cⱼ₋₁| Bⱼ. What is of
+//! higher order is at most a multiple of n²u of Σ |cⱼ|Bⱼ with a factor below 50, and (n w)²u with one below 2: together
+//! less than 1 for n ≤ 64 and n w ≤ 512. That is counted by hand; `engine/tests/proofs/rounding_of_sines.rs` looks for
+//! larger errors.
 //!
 //! *In both coordinates* the sum is T := T s + cⱼ binomial(n, j) xʲ: at most j + 2 roundings in a term, and two in each
-//! step after it. Coordinates that are off by w₀ u and w₁ u count (n − j)w₀ + j w₁ times. Where such a sum is divided by that
-//! of binomial(n, j) sⁿ⁻ʲ xʲ, only the quotient of both coordinates counts, and moves the result by at most (w₀ + w₁) times
-//! the largest |cⱼ| times Σ |j − n x| Bⱼ ≤ √(n x s) ≤ √n/2.
+//! step after it. Coordinates that are off by w₀ u and w₁ u count (n − j)w₀ + j w₁ times. Where such a sum is divided
+//! by that of binomial(n, j) sⁿ⁻ʲ xʲ, only the quotient of both coordinates counts, and moves the result by at most (w₀
+//! + w₁) times the largest |cⱼ| times Σ |j − n x| Bⱼ ≤ √(n x s) ≤ √n/2.
 
 use super::majorant::Known;
 use super::{exact::is_float, rest};
@@ -108,9 +109,9 @@ impl Sum {
     }
 }
 
-/// How many u a sum in both coordinates is off, as Bernstein coefficients, whose own coefficients are at most `size`, are off by
-/// `error` u, and have already been multiplied by the binomial coefficients if it `is_divided` by the sum of these; `None`
-/// where that is too much to be counted. With what is of higher order.
+/// How many u a sum in both coordinates is off, as Bernstein coefficients, whose own coefficients are at most `size`,
+/// are off by `error` u, and have already been multiplied by the binomial coefficients if it `is_divided` by the sum of
+/// these; `None` where that is too much to be counted. With what is of higher order.
 pub(super) fn in_both(
     size: &[Rational],
     error: &[Rational],
@@ -129,7 +130,7 @@ pub(super) fn in_both(
     let higher = rest::of_sum(&depth, &most)?;
     let mut all = Vec::new();
     // √n/2 ≤ (n/k + k)/4 for any k.
-    let root = (1..).find(|k| k * k >= n).unwrap_or(1);
+    let root = (1..=n).find(|k| k * k >= n).unwrap_or(1);
     let deviation = &(&number(n).checked_div(&number(root))? + &number(root)) * &Rational::new(1, 4);
     for (j, (size, error)) in size.iter().zip(error).enumerate() {
         let sum = &(&roundings(j) * size) + error;

@@ -1,5 +1,5 @@
-//! Rounding errors of families with angles and exponentials beside their proved bounds, in `f32`, with the same steps in
-//! `f64` as the reference: no error is larger, at the floats next to both ends of the domain and between them.
+//! Rounding errors of families with angles and exponentials beside their proved bounds, in `f32`, with the same steps
+//! in `f64` as the reference: no error is larger, at the floats next to both ends of the domain and between them.
 
 use basis_engine::algebra::rational::{Rational, ToFloat as _};
 use basis_engine::model::angle::Kind;
@@ -179,9 +179,9 @@ fn no_error_is_beyond_its_bound() {
 /// The functions of a family with t beside its sine in `f64` at a shape value, if there is one, and a parameter.
 type Formulas = fn(f64, f64) -> [f64; 3];
 
-/// Functions with t beside its sine, on domains that end at a shape parameter and at a number: values in `f32` and points of
-/// curves are compared with the formulas themselves in `f64`, where these keep enough digits. No bound is a hundred times the largest
-/// error.
+/// Functions with t beside its sine, on domains that end at a shape parameter and at a number: values in `f32` and
+/// points of curves are compared with the formulas themselves in `f64`, where these keep enough digits. No bound is a
+/// hundred times the largest error.
 #[test]
 fn series_are_within_their_bounds() {
     let cases: [(&str, Formulas); 2] = [
@@ -191,7 +191,8 @@ fn series_are_within_their_bounds() {
             |a, t| [(a - t - (a - t).sin()) / (a - a.sin()), t / a, 2.0 * (t / 2.0).sin().powi(2)],
         ),
         (
-            "family Between { domain 0 <= t <= 2; b[0] = 2 - t; b[1] = sinh(t) - t/4; b[2] = t*cosh(t) - 3*t; }",
+            "family Between { domain 0 <= t <= 2; b[0] = 2 - t; b[1] = sinh(t) - t/4; \
+             b[2] = t*cosh(t) - 3*t; }",
             |_, t| [2.0 - t, t.sinh() - t / 4.0, t * t.cosh() - 3.0 * t],
         ),
     ];
@@ -241,8 +242,8 @@ fn series_are_within_their_bounds() {
     }
 }
 
-/// Points of curves over quotients, with angles and on several spans: each has a bound, which no error in `f32` exceeds, and which
-/// is less than five times the largest one.
+/// Points of curves over quotients, with angles and on several spans: each has a bound, which no error in `f32`
+/// exceeds, and which is less than five times the largest one.
 #[test]
 fn points_are_within_their_bounds() {
     let spec = "family Weighted { domain 0 <= t <= 1; shape 0 < p <= 8, 1/4 <= q; \

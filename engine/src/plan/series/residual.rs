@@ -1,13 +1,13 @@
 //! How far polynomials on a domain between numbers are from their functions.
 //!
-//! A function is a quotient A/B of polynomials in t and a tangent. Both times cosᵏ are sums of products of sin ψ, cos ψ and t,
-//! which have power series in the place p, 0 ≤ p ≤ 1, on a span. With a polynomial P in place of the function,
+//! A function is a quotient A/B of polynomials in t and a tangent. Both times cosᵏ are sums of products of sin ψ, cos ψ
+//! and t, which have power series in the place p, 0 ≤ p ≤ 1, on a span. With a polynomial P in place of the function,
 //!
 //! A/B − P = (A − B·P)/B,
 //!
-//! and A − B·P is a power series in p again. Its first coefficients are 0 where function and polynomial vanish, which is decided
-//! exactly, so that it is at most p to that power times the sum of the absolute values of all others. All numbers are enclosed:
-//! a middle with digits that are cut off, and a radius that grows with what was.
+//! and A − B·P is a power series in p again. Its first coefficients are 0 where function and polynomial vanish, which
+//! is decided exactly, so that it is at most p to that power times the sum of the absolute values of all others. All
+//! numbers are enclosed: a middle with digits that are cut off, and a radius that grows with what was.
 
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -117,7 +117,8 @@ fn waves(x: &Near, is_circular: bool) -> Option<[Near; 2]> {
     Some([sum(x.clone(), 1), sum(Near::exact(&Rational::ONE), 0)])
 }
 
-/// A power series in p: the sum of its first terms, and a number that pᴸ⁺¹ times is at least the absolute value of all others.
+/// A power series in p: the sum of its first terms, and a number that pᴸ⁺¹ times is at least the absolute value of all
+/// others.
 #[derive(Clone)]
 struct Series {
     terms: Vec<Near>,
@@ -261,8 +262,8 @@ impl<'f> Residual<'f> {
         Some(Self { angle, numbers, waves: [sine, cosine], t, shapes })
     }
 
-    /// A number a for which a polynomial is at most a·pᵏ from a quotient, where both vanish of the order k; the polynomial by
-    /// its coefficients.
+    /// A number a for which a polynomial is at most a·pᵏ from a quotient, where both vanish of the order k; the
+    /// polynomial by its coefficients.
     pub(super) fn most(
         &self,
         above: &Poly,
