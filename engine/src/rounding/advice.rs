@@ -2,7 +2,7 @@
 
 use basis_prover::collections::list::{Listed, Mapped};
 
-use super::{Error, point, values};
+use super::{Bound, Error, point, values};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{DisplayRange as _, End, Range};
@@ -14,6 +14,9 @@ const PLACES: [[i64; 2]; 3] = [[1, 2], [1, 3], [4, 5]];
 
 /// Ends that are tried in place of those that are left out: in place of 0 the reciprocal.
 const ENDS: [i64; 3] = [64, 16, 4];
+
+/// Up to so many ε a bound is named, and no shorter range is tried.
+const SMALL: i64 = 1000;
 
 /// What is said in place of a bound of a function, or of points where there is none, after `no bound`.
 pub fn advice(family: &Family, function: Option<usize>) -> String {
@@ -101,17 +104,27 @@ fn narrower(family: &Family, function: Option<usize>) -> Option<(String, String)
     if spans.into_iter().any(|span| span.analytic.is_transcendental()) || !family.shapes.iter().any(is_open) {
         return None;
     }
-    ENDS.into_iter().find_map(|end| {
+    let mut best: Option<(Family, Error)> = None;
+    for end in ENDS {
         let narrow = within(family, end);
-        let error: Error = match function {
-            Some(k) => values(&narrow)?.into_iter().nth(k)??.error,
-            None => point(&narrow)?.error,
+        let found = match function {
+            Some(k) => values(&narrow).and_then(|all| all.into_iter().nth(k).flatten()),
+            None => point(&narrow),
         };
-        let open = narrow.shapes.iter().zip(&family.shapes).filter(|(_, p)| is_open(p));
-        let ranges = open.map(|(p, _)| p.range.display(family.name_of(p)).to_string()).listed();
-        let of = if function.is_some() { "" } else { " times the largest control point" };
-        Some((ranges.join(", "), format!("it is {error}{of}")))
-    })
+        let Some(Bound { error, .. }) = found else { continue };
+        let is_small = *error.epsilons() <= Rational::from(SMALL);
+        if best.as_ref().is_none_or(|(_, known)| error.epsilons() < known.epsilons()) {
+            best = Some((narrow, error));
+        }
+        if is_small {
+            break;
+        }
+    }
+    let (narrow, error) = best?;
+    let open = narrow.shapes.iter().zip(&family.shapes).filter(|(_, p)| is_open(p));
+    let ranges = open.map(|(p, _)| p.range.display(family.name_of(p)).to_string()).listed();
+    let of = if function.is_some() { "" } else { " times the largest control point" };
+    Some((ranges.join(", "), format!("it is {error}{of}")))
 }
 
 /// The family with other ends of ranges in place of those that are left out.

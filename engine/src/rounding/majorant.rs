@@ -84,13 +84,7 @@ impl<'c> Majorants<'c> {
         if !self.is_nonnegative {
             return p;
         }
-        let two = Rational::from(2);
-        let power = |bits: u64| two.pow(u32::try_from(bits).unwrap_or(u32::MAX));
-        let up = |c: &Rational| {
-            let unit = &power(c.denom().bits() + BITS) * &power(c.numer().bits()).recip()?;
-            Some(&-&(-&(c * &unit)).floor() * &unit.recip()?)
-        };
-        let terms = p.terms().map(|(m, c)| (m.clone(), up(c).unwrap_or_else(|| c.clone())));
+        let terms = p.terms().map(|(m, c)| (m.clone(), short(c)));
         Poly::from_terms(terms.listed())
     }
 
@@ -153,6 +147,17 @@ impl<'c> Majorants<'c> {
     }
 }
 
+/// A number of few digits that is not less.
+fn short(x: &Rational) -> Rational {
+    let two = Rational::from(2);
+    let power = |bits: u64| two.pow(u32::try_from(bits).unwrap_or(u32::MAX));
+    let up = || {
+        let unit = &power(x.denom().bits() + BITS) * &power(x.numer().bits()).recip()?;
+        Some(&-&(-&(x * &unit)).floor() * &unit.recip()?)
+    };
+    up().unwrap_or_else(|| x.clone())
+}
+
 /// What is known of a number on some cells.
 #[derive(Clone)]
 pub(super) struct Known {
@@ -189,6 +194,14 @@ impl Known {
     pub(super) fn scaled(&self, factor: &Rational) -> Self {
         let size = factor.abs();
         Self { most: &self.most * &size, least: &self.least * factor, error: &self.error * &size }
+    }
+
+    /// The same with numbers of few digits.
+    pub(super) fn shortened(&self) -> Self {
+        let least = &self.least.abs();
+        let least = -&short(&-least);
+        let least = if self.least.is_negative() { -&least } else { least };
+        Self { most: short(&self.most), least, error: short(&self.error) }
     }
 
     /// Of a step times a factor, a quotient that is not 0: its exact value is that of the step times the factor, and so

@@ -39,7 +39,7 @@ use std::rc::Rc;
 const SHAPE_CELLS: u32 = 2;
 
 /// Into how many parts that of a coordinate is.
-const COORDINATE_CELLS: u32 = 4;
+const COORDINATE_CELLS: u32 = 1;
 
 /// Whether polynomials are evaluated in place of the functions of a family.
 pub(super) fn is_series(family: &Family) -> bool {
@@ -75,12 +75,6 @@ fn on_finest<T>(share: u64, work: &mut Work, part: &mut dyn FnMut(u32, &mut Work
     Some(with_share(work, left, &mut |work| part(SHAPE_CELLS, work)).unwrap_or(whole))
 }
 
-/// The errors in u of a function on a span: relative, if there is such a bound, and absolute.
-struct Errors {
-    relative: Option<Rational>,
-    absolute: Rational,
-}
-
 /// The bound of a function on all spans, relative if there is one on each.
 fn of_function(
     family: &Family,
@@ -89,20 +83,23 @@ fn of_function(
     count: u32,
     work: &mut Work,
 ) -> Option<Bound> {
-    let mut parts = Vec::new();
-    let (mut absolute, mut relative) = (Rational::ZERO, Some(Rational::ZERO));
+    let (mut parts, mut all) = (Vec::new(), Vec::new());
     for (piece, form) in family.pieces.iter().zip(forms) {
-        let errors = on_span(piece, form, function, count, &mut parts, work)?;
-        absolute = absolute.max(errors.absolute);
-        relative = relative.zip(errors.relative).map(|(a, b)| a.max(b));
+        all.extend(on_span(piece, form, function, count, &mut parts, work)?);
     }
-    let bound = match relative {
-        Some(relative) => rounded_up(Vec::new(), Error::Relative, &relative),
-        None => rounded_up(Vec::new(), Error::Absolute, &absolute),
-    };
-    Some(Bound { cells: parts, ..bound })
+    for error in [Error::Relative, Error::Absolute] {
+        let is_relative = matches!(error(Rational::ZERO), Error::Relative(_));
+        let mut own = Vec::new();
+        let errors = all.iter().map(|value| value.error(is_relative, &mut own, work));
+        let Some(errors) = errors.collect::<Option<Vec<_>>>() else { continue };
+        let most = errors.into_iter().max().unwrap_or(Rational::ZERO);
+        parts.extend(own);
+        return Some(Bound { cells: parts, ..rounded_up(Vec::new(), error, &most) });
+    }
+    None
 }
 
+/// A function on each part of the range of a shape parameter, on a span; nothing where it is 0.
 fn on_span(
     piece: &Family,
     form: &RationalForm,
@@ -110,29 +107,27 @@ fn on_span(
     count: u32,
     parts: &mut Vec<Part>,
     work: &mut Work,
-) -> Option<Errors> {
+) -> Option<Vec<Value>> {
     let truncation = piece.truncations.as_ref()?.get(function)?.as_ref()?;
     if form.numerators.functions[function].bernstein.iter().all(Poly::is_zero) {
-        return Some(Errors { relative: Some(Rational::ZERO), absolute: Rational::ZERO });
+        return Some(Vec::new());
     }
     let (steps, factor) = coefficient_steps(piece, form, function)?;
     let coordinates = off(piece, form, &steps)?;
     let inputs = with_ranges(piece, inputs(piece, &steps, &coordinates, Range::unit(), 0)?);
     let cells = shape_cells(&inputs, count);
     let mut stage = Stage::new(&steps, &inputs, &cells)?;
-    let mut errors = Errors { relative: Some(Rational::ZERO), absolute: Rational::ZERO };
+    let mut all = Vec::new();
     for cell in 0..cells.len() {
         let value = Value::new(&mut stage, cell, truncation, factor, piece, work)?;
+        let value = Value { y: *inputs.coordinates.first()?, off: coordinates.clone(), ..value };
         if !is_counted(value.coefficients.len().saturating_sub(1), &coordinates) {
             return None;
         }
-        let y = *inputs.coordinates.first()?;
-        let of_cell = value.errors(y, &coordinates, parts, work)?;
-        errors.absolute = errors.absolute.max(of_cell.absolute);
-        errors.relative = errors.relative.zip(of_cell.relative).map(|(a, b)| a.max(b));
+        all.push(value);
     }
     parts.extend(stage.parts());
-    Some(errors)
+    Some(all)
 }
 
 /// The content of a function and the powers of x and s in it.
@@ -167,6 +162,9 @@ fn shape_cells(inputs: &Inputs, count: u32) -> Vec<Cell> {
 
 /// A value on a part of the ranges of shape parameters.
 struct Value {
+    /// The smaller coordinate, and how many u both are off.
+    y: Var,
+    off: [Rational; 2],
     /// The coefficients of the sum.
     coefficients: Vec<Known>,
     /// The powers of x and s by which it is multiplied after it.
@@ -222,12 +220,13 @@ impl Value {
         }
         let coefficients = coefficients(stage, cell, &places, &scale, work)?;
         let missing = Missing::new(stage, cell, truncation, piece, work)?;
-        Some(Self { coefficients, powers, others, missing })
+        let off = [Rational::ZERO, Rational::ZERO];
+        Some(Self { y: Var(0), off, coefficients, powers, others, missing })
     }
 
-    /// The errors on this part.
-    fn errors(&self, y: Var, off: &[Rational; 2], parts: &mut Vec<Part>, work: &mut Work) -> Option<Errors> {
-        let n = self.coefficients.len().saturating_sub(1);
+    /// The error in u on this part, relative or absolute.
+    fn error(&self, is_relative: bool, parts: &mut Vec<Part>, work: &mut Work) -> Option<Rational> {
+        let (n, y, off) = (self.coefficients.len().saturating_sub(1), self.y, &self.off);
         let mut others = self.others.clone().unwrap_or(Rational::ZERO);
         if self.others.is_some() {
             for (power, off) in self.powers.iter().zip([&off[1], &off[0]]) {
@@ -235,15 +234,15 @@ impl Value {
             }
             others = with_higher(&others)?;
         }
-        let mut errors = Errors { relative: Some(Rational::ZERO), absolute: Rational::ZERO };
         let all = self.coefficients.iter().listed();
         let reversed = all.iter().rev().copied().listed();
         // In each of both coordinates, or where the degree is small in one for all of the domain.
         let halves = if n < 2 {
-            vec![(Sum::linear(&all, &[off[0].clone(), off[1].clone()]), 1)]
+            vec![(Sum::linear(&all, off), 1)]
         } else {
             vec![(Sum::in_smaller(&all, &off[1]), 1), (Sum::in_smaller(&reversed, &off[0]), 0)]
         };
+        let mut most = Rational::ZERO;
         for (sum, coordinate) in halves {
             let [low, size, error] =
                 [&sum.low, &sum.size, &sum.error].map(|coefficients| Sum::polynomial(coefficients, y));
@@ -255,27 +254,23 @@ impl Value {
             };
             let with_missing = &error + &size.scale(&self.missing.of_size);
             for cell in cells_of_coordinate(y, n < 2) {
-                // Powers of the coordinates that the function has, but not what is computed, are factors of `low`.
-                let [i, j] = [0, 1].map(|k| self.missing.ends[k].checked_sub(self.powers[k]));
-                let relative = errors.relative.take().zip(i.zip(j)).and_then(|(known, (i, j))| {
+                let found = if is_relative {
+                    // Powers of the coordinates that the function has, but not what is computed, are factors of `low`.
+                    let left = [0, 1].map(|k| self.missing.ends[k].checked_sub(self.powers[k]));
+                    let [Some(i), Some(j)] = left else { return None };
                     let sum = &with_missing + &ends([i, j]).scale(&self.missing.of_ends);
                     let found = ratio(&cell, &sum, &low, parts, work)?;
-                    Some(known.max(if self.others.is_some() {
-                        with_higher(&(&found + &others))?
-                    } else {
-                        found
-                    }))
-                });
-                errors.relative = relative;
-                let grown = &Rational::ONE + &(&others * &rest::unit());
-                let whole = &with_missing.scale(&grown) + &size.scale(&others);
-                let whole =
-                    &(&whole * &ends(self.powers)) + &ends(self.missing.ends).scale(&self.missing.of_ends);
-                let absolute = ratio(&cell, &whole, &Poly::one(), parts, work)?;
-                errors.absolute = errors.absolute.max(absolute);
+                    if self.others.is_some() { with_higher(&(&found + &others))? } else { found }
+                } else {
+                    let grown = &Rational::ONE + &(&others * &rest::unit());
+                    let whole = &with_missing.scale(&grown) + &size.scale(&others);
+                    let missing = ends(self.missing.ends).scale(&self.missing.of_ends);
+                    ratio(&cell, &(&(&whole * &ends(self.powers)) + &missing), &Poly::one(), parts, work)?
+                };
+                most = most.max(found);
             }
         }
-        Some(errors)
+        Some(most)
     }
 }
 
@@ -313,7 +308,7 @@ fn coefficients(
         let factor = binomial(n, j);
         let scale = [scale[0].scale(&factor), scale[1].clone()];
         let known = Known::of(&mut stage.exact, *place, &scale, &mut stage.cells[cell..=cell], work)?;
-        all.push(known.scaled(&factor.recip()?));
+        all.push(known.scaled(&factor.recip()?).shortened());
     }
     Some(all)
 }

@@ -204,9 +204,10 @@ fn pi() -> Near {
 pub(super) struct Residual<'f> {
     angle: &'f Angle,
     numbers: Vec<(Var, Near)>,
-    /// sin ψ and cos ψ, and t.
-    waves: [Series; 2],
-    t: Series,
+    /// Powers of y·cos ψ, of cos ψ, and of t, as many as the functions have.
+    places: Vec<Series>,
+    cosines: Vec<Series>,
+    times: Vec<Series>,
     /// The largest absolute values of shape parameters; `None` for one without.
     shapes: Vec<(Var, Option<Rational>)>,
 }
@@ -259,7 +260,14 @@ impl<'f> Residual<'f> {
                 shapes.push((*var, range.finite().map(|(low, high)| low.abs().max(high.abs()))));
             }
         }
-        Some(Self { angle, numbers, waves: [sine, cosine], t, shapes })
+        let (low, width) = (value(&angle.low)?, value(&angle.width)?);
+        let place = sine.add(&cosine.times(&low.neg())).times(&width.recip()?);
+        let polys = || family.functions.iter().flat_map(|f| [f.value.numer(), f.value.denom()]);
+        let most = |var: Var| polys().map(|p| p.degree(var)).max().unwrap_or(0);
+        let power = most(angle.var);
+        let (places, cosines) = (place.powers(power), cosine.powers(power));
+        let times = t.powers(most(angle.itself));
+        Some(Self { angle, numbers, places, cosines, times, shapes })
     }
 
     /// A number a for which a polynomial is at most a·pᵏ from a quotient, where both vanish of the order k; the
@@ -273,7 +281,7 @@ impl<'f> Residual<'f> {
     ) -> Option<Rational> {
         let y = self.angle.var;
         let power = above.degree(y).max(below.degree(y));
-        let [above, below] = [self.of(above, power)?, self.of(below, power)?];
+        let [above, below] = [self.of(above, power), self.of(below, power)];
         let [(m, below)] = &below[..] else { return None };
         if m.total_degree() > 0 {
             return None;
@@ -307,17 +315,7 @@ impl<'f> Residual<'f> {
     }
 
     /// A polynomial times a power of cos ψ, by its monomials in shape parameters.
-    fn of(&self, p: &Poly, power: u32) -> Option<Vec<(Monomial, Series)>> {
-        let near = |f: &Fraction| {
-            let own = |p: &Poly| of_numbers(p, &self.numbers);
-            Some(own(f.numer())?.mul(&own(f.denom())?.recip()?))
-        };
-        let (low, width) = (near(&self.angle.low)?, near(&self.angle.width)?);
-        let [sine, cosine] = &self.waves;
-        // y·cos ψ
-        let place = sine.add(&cosine.times(&low.neg())).times(&width.recip()?);
-        let (places, cosines) = (place.powers(power), cosine.powers(power));
-        let times = self.t.powers(p.degree(self.angle.itself));
+    fn of(&self, p: &Poly, power: u32) -> Vec<(Monomial, Series)> {
         let mut parts = Vec::new();
         for (m, c) in p.terms() {
             let [i, j] = [self.angle.var, self.angle.itself].map(|var| usize::from(m.exponent(var)));
@@ -329,10 +327,10 @@ impl<'f> Residual<'f> {
                 }
                 rest = rest.with_exponent(*var, 0);
             }
-            let product = places[i].mul(&cosines[power as usize - i]).mul(&times[j]);
+            let product = self.cosines[power as usize - i].mul(&self.places[i]).mul(&self.times[j]);
             add(&mut parts, &rest, product.times(&factor));
         }
-        Some(parts)
+        parts
     }
 }
 
