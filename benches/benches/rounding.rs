@@ -351,7 +351,7 @@ fn main() {
             let mut inputs = Inputs::of(family, &form, family.functions.len());
             if family.is_simplex() {
                 let corners = form.coordinates();
-                let degree = (0..).find(|n| multi_indices(corners, *n).len() >= form.bound());
+                let degree = (0..=64).find(|n| multi_indices(corners, *n).len() >= form.bound());
                 inputs.degree = degree.map_or(0, |n| n as i32);
             }
             let found = search(&steps, &[Some(proved.clone())], inputs);

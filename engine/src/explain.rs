@@ -243,8 +243,8 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
     if denom.is_one() { bracket(numer) } else { format!("{}/{below}", bracket(numer)) }
 }
 
-/// Proved bounds of the rounding errors of the values, and of a point of a curve or patch, each with what it is about;
-/// nothing for families for which no code can be generated.
+/// Proved bounds of the rounding errors of the values, and of a point of a curve or patch, each with what it is about,
+/// or why there is none; nothing for families for which no code can be generated.
 ///
 /// ε is the distance from 1 to the next float. Functions with the same bound share a line.
 pub fn rounding(family: &Family) -> Vec<(String, String)> {
@@ -252,10 +252,14 @@ pub fn rounding(family: &Family) -> Vec<(String, String)> {
         .into_iter()
         .map(|known| known.map(|(error, _)| error))
         .collect::<Vec<_>>();
-    let mut lines = rounding::grouped(&errors, family, "no bound found");
-    if let Some((error, _)) = state::point_error(family) {
-        let text = format!("{error} times the largest control point, in each coordinate");
-        lines.push((state::point_name(family), text));
+    let mut lines = rounding::grouped(&errors, family, &|k| rounding::advice(family, Some(k)));
+    match state::point_error(family) {
+        Some((error, _)) => {
+            let text = format!("{error} times the largest control point, in each coordinate");
+            lines.push((state::point_name(family), text));
+        }
+        None if !errors.is_empty() => lines.push((state::point_name(family), rounding::advice(family, None))),
+        None => {}
     }
     lines
 }

@@ -6,6 +6,8 @@ use quote::quote_spanned;
 use super::code::tokens::{float, site};
 use crate::model::Family;
 use crate::plan::evaluated::is_mixed;
+#[cfg(any(test, feature = "tools"))]
+use crate::rounding::advice;
 use crate::rounding::{Error, assumed, decimal, grouped};
 use crate::state::{point_error, value_errors};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -65,8 +67,11 @@ pub(super) fn constants(bounds: &Bounds, runtime: &TokenStream) -> TokenStream {
 /// What the documentation says of the bounds. Functions with the same one stand together.
 pub(super) fn lines(bounds: &Bounds, family: &Family) -> Vec<String> {
     let mut lines = Vec::new();
-    if !bounds.values.is_empty() {
-        let groups = grouped(&bounds.values, family, "unknown");
+    let says_why = cfg!(any(test, feature = "tools"));
+    let none = vec![None; if says_why { family.functions.len() } else { 0 }];
+    let values = if bounds.values.is_empty() { &none } else { &bounds.values };
+    if !values.is_empty() {
+        let groups = grouped(values, family, &|k| without(family, Some(k)));
         let texts = groups.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
         let assumed = assumed(family).map_or_else(String::new, |text| format!(", {text}"));
         let texts = texts.join("; ");
@@ -83,6 +88,20 @@ pub(super) fn lines(bounds: &Bounds, family: &Family) -> Vec<String> {
             line += ", where the barycentric coordinates add up to 1";
         }
         lines.extend([String::new(), line + "."]);
+    } else if says_why {
+        let reason = without(family, None);
+        lines.extend([String::new(), format!("Rounding error of a point, binding included: {reason}.")]);
     }
     lines
+}
+
+/// What is said where there is no bound; why there is none takes time, and is for files that are written once.
+#[cfg(any(test, feature = "tools"))]
+fn without(family: &Family, function: Option<usize>) -> String {
+    advice(family, function)
+}
+
+#[cfg(not(any(test, feature = "tools")))]
+fn without(_: &Family, _: Option<usize>) -> String {
+    String::from("unknown")
 }

@@ -5,7 +5,7 @@
 //! span from the values of the functions there. A bound is one of all of these, on all spans.
 
 use super::angles::OnCoordinates;
-use super::series::is_series;
+use super::series::{self, is_series};
 use super::{Bound, Error, Inputs, Parts, of_points, rounded_up};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
@@ -18,8 +18,11 @@ const MOST_SIGNED: usize = 5;
 
 /// The bound in ε, relative to the largest |Pₖ|; `None` when nothing is found or the work is spent.
 pub(super) fn point(family: &Family) -> Option<Bound> {
-    if !is_evaluated(family) || is_series(family) {
+    if !is_evaluated(family) {
         return None;
+    }
+    if is_series(family) {
+        return series::point(family);
     }
     let forms = RationalForm::of_family(family)?;
     let mut computations = Vec::new();

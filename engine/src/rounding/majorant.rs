@@ -9,11 +9,12 @@
 use super::cell::Cell;
 use super::conditions::Conditions;
 use super::exact::Exact;
-use super::rest;
+use super::{least_multiple, rest};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::steps::Step;
+use basis_prover::collections::list::Listed;
 
 /// The exact value, A and E on a cell, each times `below`, which is positive there.
 #[derive(Clone)]
@@ -33,11 +34,19 @@ pub(super) struct Majorants<'c> {
     known: Vec<Option<Majorant>>,
     /// How many u divisors are off.
     off: Rational,
+    /// Whether no variable is negative.
+    is_nonnegative: bool,
 }
+
+/// The bits of the coefficients of A and E, which may be larger than they need to be.
+const BITS: u64 = 24;
 
 impl<'c> Majorants<'c> {
     pub(super) fn new(cell: &'c Cell, steps: usize) -> Self {
+        let mut ranges = cell.domain.region.ranges.iter();
+        let is_nonnegative = ranges.all(|(_, r)| r.low.value().is_some_and(|low| !low.is_negative()));
         Self {
+            is_nonnegative,
             conditions: Conditions { cell, known: Vec::new() },
             of_steps: Vec::new(),
             known: vec![None; steps],
@@ -51,7 +60,12 @@ impl<'c> Majorants<'c> {
         let mut is_known = true;
         for j in exact.reached(k) {
             if is_known && self.known[j].is_none() {
-                self.known[j] = self.step(exact, j, work);
+                let step = self.step(exact, j, work);
+                self.known[j] = step.map(|m| Majorant {
+                    size: self.shortened(m.size),
+                    error: self.shortened(m.error),
+                    ..m
+                });
                 is_known = self.known[j].is_some();
             }
         }
@@ -63,6 +77,15 @@ impl<'c> Majorants<'c> {
         }
         majorant.error = majorant.error.scale(&(&Rational::ONE + &(&small * &Rational::from(2))));
         Some(majorant)
+    }
+
+    /// A polynomial with coefficients of few digits that is not less.
+    fn shortened(&self, p: Poly) -> Poly {
+        if !self.is_nonnegative {
+            return p;
+        }
+        let terms = p.terms().map(|(m, c)| (m.clone(), short(c)));
+        Poly::from_terms(terms.listed())
     }
 
     fn step(&mut self, exact: &mut Exact<'_>, k: usize, work: &mut Work) -> Option<Majorant> {
@@ -124,6 +147,17 @@ impl<'c> Majorants<'c> {
     }
 }
 
+/// A number of few digits that is not less.
+fn short(x: &Rational) -> Rational {
+    let two = Rational::from(2);
+    let power = |bits: u64| two.pow(u32::try_from(bits).unwrap_or(u32::MAX));
+    let up = || {
+        let unit = &power(x.denom().bits() + BITS) * &power(x.numer().bits()).recip()?;
+        Some(&-&(-&(x * &unit)).floor() * &unit.recip()?)
+    };
+    up().unwrap_or_else(|| x.clone())
+}
+
 /// What is known of a number on some cells.
 #[derive(Clone)]
 pub(super) struct Known {
@@ -136,6 +170,40 @@ pub(super) struct Known {
 }
 
 impl Known {
+    /// A number that it is at least.
+    pub(super) fn low(&self) -> Rational {
+        if self.least.is_positive() { self.least.clone() } else { -&self.most }
+    }
+
+    /// A number that it is at most.
+    pub(super) fn high(&self) -> Rational {
+        if self.least.is_negative() { self.least.clone() } else { self.most.clone() }
+    }
+
+    /// The largest absolute value of what is computed.
+    pub(super) fn computed(&self) -> Rational {
+        &self.most + &(&self.error * &rest::unit())
+    }
+
+    /// A number that is at least the distance from another one.
+    pub(super) fn distance(&self, other: &Self) -> Rational {
+        (&self.high() - &other.low()).max(&other.high() - &self.low()).max(Rational::ZERO)
+    }
+
+    /// This many times as much.
+    pub(super) fn scaled(&self, factor: &Rational) -> Self {
+        let size = factor.abs();
+        Self { most: &self.most * &size, least: &self.least * factor, error: &self.error * &size }
+    }
+
+    /// The same with numbers of few digits.
+    pub(super) fn shortened(&self) -> Self {
+        let least = &self.least.abs();
+        let least = -&short(&-least);
+        let least = if self.least.is_negative() { -&least } else { least };
+        Self { most: short(&self.most), least, error: short(&self.error) }
+    }
+
     /// Of a step times a factor, a quotient that is not 0: its exact value is that of the step times the factor, and so
     /// is what it is off by.
     pub(super) fn of(
@@ -200,6 +268,8 @@ pub(super) fn between(
     let Some(least) = conditions.cell.ratio(&below, &above, work).and_then(|ratio| ratio.recip()) else {
         return Some((most, Rational::ZERO));
     };
+    // With few digits, if these tell it from 0.
+    let least = Some(-&least_multiple(&-&least, 1 << 20)).filter(Rational::is_positive).unwrap_or(least);
     conditions.add(&above - &below.scale(&least));
     Some((most, if is_positive == is_turned { -least } else { least }))
 }

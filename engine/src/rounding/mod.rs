@@ -20,8 +20,9 @@
 //! nothing overflows; each product that underflows is off by half the smallest float, which a division after it may
 //! enlarge.
 //!
-//! Where a variable stands beside its sine, polynomials are evaluated in place of the functions; file `series`. Points
-//! of curves over quotients, in all orders in which they are computed: file `curve`.
+//! Where a variable stands beside its sine, polynomials are evaluated in place of the functions; files `series` and
+//! `sum`. Points of curves over quotients, in all orders in which they are computed: file `curve`. Where there is no bound,
+//! file `advice` says why.
 //!
 //! Sines, exponentials and the like are assumed to be within one unit in the last place; what comes out of them are inputs
 //! that are off; file `angles`. Where a float is that of an end such as π/2, the value is the one at the end.
@@ -30,6 +31,8 @@
 //! are inputs: the exact value is that of the formula for these floats, also if they do not quite sum to 1.
 
 mod absolute;
+#[cfg(any(test, feature = "tools"))]
+mod advice;
 mod angles;
 mod cell;
 mod conditions;
@@ -40,6 +43,7 @@ mod net;
 mod relative;
 mod rest;
 mod series;
+mod sum;
 
 use std::rc::Rc;
 
@@ -56,6 +60,8 @@ use crate::plan::evaluated::{self, is_evaluated};
 use crate::plan::interval::form::RationalForm;
 use crate::steps::{FamilySteps, Steps};
 use absolute::{Absolute, MOST_SIGNED};
+#[cfg(any(test, feature = "tools"))]
+pub use advice::advice;
 use angles::OnCoordinates;
 pub use angles::{NEAREST, assumed, has_ends_beside_floats, needs_functions};
 use cell::Cell;
@@ -103,12 +109,16 @@ pub fn decimal(x: &Rational) -> String {
     }
 }
 
-/// The bounds of all functions of a family as text, each with the functions that have it, in the order of the first;
-/// `unknown` where there is none.
-pub(crate) fn grouped(errors: &[Option<Error>], family: &Family, unknown: &str) -> Vec<(String, String)> {
+/// The bounds of all functions of a family as text, each with the functions that have it, in the order of the first; what
+/// is said of a function in place of a bound where there is none.
+pub(crate) fn grouped(
+    errors: &[Option<Error>],
+    family: &Family,
+    without: &dyn Fn(usize) -> String,
+) -> Vec<(String, String)> {
     let mut groups: Vec<(String, String)> = Vec::new();
     for (k, error) in errors.iter().enumerate() {
-        let bound = error.as_ref().map_or_else(|| String::from(unknown), ToString::to_string);
+        let bound = error.as_ref().map_or_else(|| without(k), ToString::to_string);
         let label = family.function_label(k);
         match groups.iter_mut().find(|(_, other)| *other == bound) {
             Some((labels, _)) => *labels += &format!(", {label}"),
@@ -187,7 +197,10 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
         let steps: u64 = exact.iter().map(|span| span.steps.steps.len() as u64).sum();
         for k in 0..count {
             // Which steps a function needs is found among those of all functions.
-            work.spend(steps)?;
+            if work.spend(steps).is_none() {
+                bounds.push(None);
+                continue;
+            }
             let (left, others) = (work.left(), u64::try_from(count - k).unwrap_or(u64::MAX));
             let share = (left / others).max(left.min(2 * whole / 5));
             bounds.push(with_share(work, share, &mut |own| value(&mut exact, k, own)));
@@ -323,9 +336,13 @@ impl OnSpan<'_> {
 
     fn absolute(&mut self, function: usize, work: &mut Work) -> Option<Parts> {
         let absolute = Absolute::new(&mut self.exact, self.steps.outputs[function], &[], 0, work)?;
-        self.cuts([16]).into_iter().find_map(|(coordinates, shapes)| {
+        // On fewer cells with what is left of the work.
+        self.cuts([16]).into_iter().chain([(4, 1), (1, 1)]).find_map(|(coordinates, shapes)| {
             let cells = self.inputs.cells(coordinates, shapes);
-            on_each(&cells, &mut |cell| absolute.on(&mut self.exact, cell, work))
+            let share = work.left() / 4 * 3;
+            with_share(work, share, &mut |work| {
+                on_each(&cells, &mut |cell| absolute.on(&mut self.exact, cell, work))
+            })
         })
     }
 }

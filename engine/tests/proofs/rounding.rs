@@ -238,3 +238,24 @@ fn bounds_are_near_the_largest_errors() {
     let largest = (0..40).map(|_| largest_ratio(family, &steps, &bounds, random)).fold(0.0, f64::max);
     assert!(largest > 0.8, "{largest}");
 }
+
+/// Where there is no bound it is said why, with a range of the shape values that has one.
+#[test]
+fn ranges_without_bounds_are_named() {
+    let lines = |spec: &str| {
+        let library = Library::from_source(&Disk, &Prover, Source::text("open.basis", spec));
+        let items = library.items(Selected::EveryOrder);
+        let Subject::Family(family) = &items[0].subject else { panic!("a family") };
+        basis_engine::explain::rounding(family)
+    };
+    let moved = "family Moved { domain 0 <= x <= 1; shape 0 < a < 1; b[0] = (x - a)*(x - 1)/a; b[1] = x; }";
+    let found = lines(moved);
+    let reason = "no bound: the values of `b[0]` grow beyond all bounds where a goes to 0; for `1/64 <= a <= 63/64` it is ";
+    assert!(found[0].0 == "b[0]" && found[0].1.starts_with(reason), "{found:?}");
+    assert!(found[2].0 == "C(x)" && found[2].1.starts_with(reason), "{found:?}");
+    // The bound that is named is that of the family with this range.
+    let narrow = lines(&moved.replace("0 < a < 1", "1/64 <= a <= 63/64"));
+    assert_eq!(found[0].1, format!("{reason}{}", narrow[0].1));
+    let open = lines("family Open { domain 0 <= x < 1; b[0] = (1 - 3*x)/(1 - x); b[1] = x; }");
+    assert_eq!(open[0].1, "no bound: the values of `b[0]` grow beyond all bounds where x goes to 1");
+}

@@ -2,6 +2,8 @@
 
 mod parameter;
 mod points;
+#[cfg(any(test, feature = "rounding"))]
+mod residual;
 mod truncation;
 mod waves;
 

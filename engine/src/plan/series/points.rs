@@ -5,18 +5,21 @@
 //! its digits where the function vanishes; which ones are zero is decided exactly. A series is cut off where its
 //! coefficients on the span have fallen below 2⁻⁵⁸ of the first one, or of the largest one on spans inside, and are
 //! falling further; the numbers have 192 bits before they become floats. That the rest is as small as that is seen from
-//! the coefficients and not proved.
+//! the coefficients; how far the polynomial is from the function is enclosed afterwards, for bounds of rounding errors
+//! ([`residual`](super::residual)).
 
 use basis_prover::collections::list::{Listed, Mapped};
 use std::rc::Rc;
 
+#[cfg(any(test, feature = "rounding"))]
+use super::residual::Residual;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::angle::{Analytic, Angle, Kind};
-use crate::model::{Family, Function};
+use crate::model::{Family, Function, Truncation};
 
 /// The highest power of a series.
 const LAST: usize = 30;
@@ -194,12 +197,18 @@ impl Source<'_> {
         let var = self.angle.var;
         let y = Poly::var(var);
         let place = if from_above { &Poly::one() - &y } else { y };
-        let mut functions = Vec::new();
+        let (mut functions, mut truncations) = (Vec::new(), Vec::new());
+        #[cfg(any(test, feature = "rounding"))]
+        let residual = {
+            let [first, last] = &ends;
+            Residual::new(family, self.angle, if from_above { [last, first] } else { [first, last] })
+        };
         for f in &family.functions {
             let mut series = self.series(&f.value, &local)?;
-            if let Some(exact) = exact {
-                self.clear(&f.value, exact, &mut series)?;
-            }
+            let zeros = match exact {
+                Some(exact) => self.clear(&f.value, exact, &mut series)?,
+                None => 0,
+            };
             let mut power = Rational::ONE;
             for c in &mut series {
                 *c = c.scale(&power);
@@ -210,6 +219,18 @@ impl Source<'_> {
             for c in &mut series[..=degree] {
                 let terms = c.terms().map(|(m, c)| (m.clone(), &(c * &grain).floor() * &unit)).listed();
                 *c = Poly::from_terms(terms);
+            }
+            #[cfg(any(test, feature = "rounding"))]
+            truncations.push(residual.as_ref().and_then(|residual| {
+                let above = residual.most(f.value.numer(), f.value.denom(), &series[..=degree], zeros)?;
+                let order = u32::try_from(zeros).ok()?;
+                let ends = if from_above { [0, order] } else { [order, 0] };
+                Some(Truncation { above, below: Rational::ZERO, ends, divisor: Poly::one() })
+            }));
+            #[cfg(not(any(test, feature = "rounding")))]
+            {
+                let _ = zeros;
+                truncations.push(None);
             }
             let value = series[..=degree].iter().rev().fold(Poly::zero(), |sum, c| &(&sum * &place) + c);
             functions.push(Function { value: Fraction::from(value), ..f.clone() });
@@ -234,7 +255,7 @@ impl Source<'_> {
             ..self.angle.clone()
         };
         let analytic = Analytic { angles: vec![angle], ..family.analytic.clone() };
-        let truncations = Some(vec![None; functions.len()]);
+        let truncations = Some(truncations);
         Some(Family { domain, functions, analytic, over: Poly::one(), truncations, ..family.clone() })
     }
 
@@ -314,10 +335,11 @@ impl Source<'_> {
         Some(quotient)
     }
 
-    /// Makes the first coefficients 0 that are.
-    fn clear(&self, f: &Fraction, place: Exact, series: &mut Series) -> Option<()> {
+    /// Makes the first coefficients 0 that are, and counts them.
+    fn clear(&self, f: &Fraction, place: Exact, series: &mut Series) -> Option<usize> {
         let work = &mut Work::new(20_000_000);
         let mut derivative = f.clone();
+        let mut zeros = 0;
         for c in series.iter_mut().take(ZEROS) {
             let value = match place {
                 Exact::End(side) => self.family.at_end(&derivative, side == 1, work)?,
@@ -331,9 +353,10 @@ impl Source<'_> {
                 break;
             }
             *c = Poly::zero();
+            zeros += 1;
             derivative = self.family.derivative_within(&derivative, self.angle.var, work)?;
         }
-        Some(())
+        Some(zeros)
     }
 }
 

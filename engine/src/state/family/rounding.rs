@@ -52,6 +52,17 @@ pub(super) fn statements(family: &Family, epsilons: &Rational) -> Option<Vec<Sta
     Some(all)
 }
 
+/// That there is no bound for a function, and why.
+#[cfg(any(test, feature = "tools"))]
+fn without(family: &Family, k: usize, label: &str) -> String {
+    format!("of the rounding errors of `{label}` there is {}", rounding::advice(family, Some(k)))
+}
+
+#[cfg(not(any(test, feature = "tools")))]
+fn without(_: &Family, _: usize, label: &str) -> String {
+    format!("no bound of the rounding errors of `{label}` was found")
+}
+
 /// Decides that the values of all functions are within this many ε. It is never refuted: a bound says what errors are
 /// impossible, and not which ones occur.
 pub(super) fn decide(family: &Family, epsilons: &Rational) -> Verdict {
@@ -65,7 +76,7 @@ pub(super) fn decide(family: &Family, epsilons: &Rational) -> Verdict {
     for (k, bound) in bounds.iter().enumerate() {
         let label = family.function_label(k);
         let Some(bound) = bound else {
-            return Verdict::Undecided(format!("no bound of the rounding errors of `{label}` was found"));
+            return Verdict::Undecided(without(family, k, &label));
         };
         statements.extend(stated(&label, bound, epsilons));
         if largest.as_ref().is_none_or(|(_, known)| bound.error.epsilons() > known.error.epsilons()) {
