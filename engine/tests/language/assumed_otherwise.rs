@@ -145,3 +145,26 @@ fn independence_by_later_ways_and_dependence_at_an_end() {
     );
     assert_eq!(found, ["=", "≠"]);
 }
+
+/// Where α² + α·β + β² ≤ 3, α·x + β·y ≥ −2·√(x² − x·y + y²).
+#[test]
+fn functions_that_are_linear_on_an_ellipse() {
+    let found = marks(
+        "family Ellipse {
+            domain 0 <= t <= 1;
+            shape -3 <= α <= 3, -3 <= β <= 3;
+            assume α^2 + α*β + β^2 <= 3;
+            f[0] = 2*(t^2 + (1 - t)^2) + α*t^2 + β*(1 - t)^2;
+            prove f[0] >= 0;
+            refute f[0] >= 1/1000;
+        }
+        family Larger {
+            domain 0 <= t <= 1;
+            shape -3 <= α <= 3, -3 <= β <= 3;
+            assume α^2 + α*β + β^2 <= 31/10;
+            f[0] = 2*(t^2 + (1 - t)^2) + α*t^2 + β*(1 - t)^2;
+            refute f[0] >= 0;
+        }",
+    );
+    assert_eq!(found, ["=", "≠", "≠"]);
+}

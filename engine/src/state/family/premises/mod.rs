@@ -10,6 +10,8 @@
 //! Where f has at most one degree more than g: f = P + N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then. The product m may
 //! be P² there.
 //!
+//! On an ellipsoid g ≥ 0, a function that is linear in its variables is ≥ 0 if it is at the middle, by enough.
+//!
 //! Where d ≥ 0 follows from the premises, n/d has the sign of n. Where n is a positive number plus f ≥ 0, it is positive. A range has no end
 //! at which a premise fails; and f > 0 may be shown at an end of a range and beyond it apart, where m > 0 and g > 0 are enough.
 //!
@@ -21,6 +23,7 @@
 //! claims; where it does not, [`tried`] finds another one, of which the number is part of the evidence.
 
 mod counterexample;
+mod ellipsoid;
 mod ends;
 mod equalities;
 mod faces;
@@ -174,6 +177,7 @@ impl Sign<'_> {
             || self.above_and_below(depth, false, &mut |all| found(Some(all)))
             || self.end_apart(depth, &mut |all| found(Some(all)))
             || self.without_number(depth, &mut |all| found(Some(all)))
+            || found(self.on_ellipsoid())
             || self.squared(&mut |all| found(Some(all)))
             || found(self.narrowed())
             || self.bounded(depth, &mut |all| found(Some(all)))
