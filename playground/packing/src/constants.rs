@@ -1,8 +1,9 @@
 //! Numbers of 32 bits, and which function is called: what is coded otherwise than it lies in the module.
 
 use crate::Damaged;
+use crate::kinds::{CALL_HIGH, CALL_LOW, LENGTH, NUMBER};
 use crate::mixing::Bytes;
-use crate::module::{CALL_HIGH, CALL_LOW, LENGTH, NUMBER, Walk};
+use crate::module::Walk;
 use crate::repetition::both;
 
 impl<B: Bytes> Walk<B> {

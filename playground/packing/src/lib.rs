@@ -9,6 +9,7 @@ extern crate alloc;
 
 mod coder;
 mod constants;
+mod kinds;
 mod memory;
 mod mixing;
 mod module;
@@ -25,14 +26,11 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use coder::{Reader, Writer};
+use kinds::{KINDS, SHAPES};
 use mixing::{Bytes, CONTEXTS, Mixer};
 pub use module::PART;
 use module::Walk;
 use tape::Tape;
-
-/// Kinds of bytes: each has its own tree of decisions and weights. The last one is for the trees themselves.
-const KINDS: usize = 21;
-const SHAPES: usize = KINDS - 1;
 
 /// What is packed is damaged, or ends too early; or what is to be packed is no module as the compiler of the engine
 /// writes it, without vectors.

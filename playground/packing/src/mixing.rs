@@ -7,11 +7,11 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::module::DATA;
+use crate::Damaged;
+use crate::kinds::{DATA, KINDS, SHAPES};
 use crate::refining::Refining;
 use crate::repetition::SURE;
 use crate::tree::{self, Step, Tree};
-use crate::{Damaged, KINDS, SHAPES};
 
 /// Contexts of a byte.
 pub(crate) const CONTEXTS: usize = 11;

@@ -7,29 +7,14 @@ use alloc::vec::Vec;
 use core::mem;
 
 use crate::Damaged;
+use crate::kinds::{
+    ABSENT, DATA, DECLARED, JUMP, KIND, LONG, NEW, OFFSET, OFFSET_MORE, OPERATION, REST, VARIABLE,
+};
 use crate::memory;
 use crate::mixing::{Bytes, CONTEXTS};
 use crate::repetition::{Repetition, both};
 use crate::stack::Stack;
 use crate::tape::Tape;
-
-// Kinds of bytes; NUMBER has five, by the length of the number.
-const OPERATION: usize = 0;
-const VARIABLE: usize = 1;
-const OFFSET: usize = 2;
-const OFFSET_MORE: usize = 3;
-pub(crate) const LENGTH: usize = 4;
-pub(crate) const NUMBER: usize = 5;
-pub(crate) const CALL_HIGH: usize = 10;
-pub(crate) const CALL_LOW: usize = 11;
-const JUMP: usize = 12;
-const KIND: usize = 13;
-const LONG: usize = 14;
-const DECLARED: usize = 15;
-const REST: usize = 16;
-pub(crate) const DATA: usize = 17;
-const NEW: usize = 18;
-const ABSENT: usize = 19; // whether a function is missing
 
 // Sections.
 const TYPE_SECTION: u32 = 1;
