@@ -85,10 +85,9 @@ fn known(item: &Decided, is: impl Fn(&ClaimKind) -> bool) -> Option<String> {
 fn independent(item: &Decided) -> Option<String> {
     let except = item.claims.iter().find_map(|c| match &c.claim.kind {
         ClaimKind::Independent(except) if !except.is_empty() && matches!(c.verdict, Verdict::Proved(_)) => {
-            let names = item.subject.names();
+            let Subject::Family(family) = &item.subject else { return None };
             let one = |values: &Values| {
-                let parts: Vec<String> =
-                    values.iter().map(|(v, x)| format!("{} = {x}", names[v.0])).collect();
+                let parts: Vec<String> = values.iter().map(|(v, x)| family.shape_value(*v, x)).collect();
                 if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(", ")) }
             };
             let all: Vec<String> = except.iter().map(one).collect();

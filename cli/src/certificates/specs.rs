@@ -87,10 +87,6 @@ impl Specs {
 pub(super) fn items(path: &Path) -> Result<Vec<Stated>, String> {
     let source = spec::read(path).map_err(|e| e.text())?;
     let library = Library::from_source(&Disk, &Later, source);
-    let diagnostics = library.diagnostics();
-    if let Some(error) = diagnostics.iter().find(|d| d.severity == Severity::Error) {
-        return Err(format!("the spec `{}` has errors: {}", path.display(), Diagnostic::text(error)));
-    }
     let line = |place: &Place| match place {
         Place::Text(id, range) => Some(library.sources().get(*id).line_column(range.start).0),
         Place::Token(..) => None,
@@ -100,5 +96,15 @@ pub(super) fn items(path: &Path) -> Result<Vec<Stated>, String> {
         let lines = item.claims.iter().map(|claim| line(&claim.place)).collect();
         Stated { item, lines, found: false }
     });
-    Ok(all.collect())
+    let all = all.collect();
+    // Errors in claims are known once the claims are read.
+    let diagnostics = library.diagnostics();
+    if let Some(error) = diagnostics.iter().find(|d| d.severity == Severity::Error) {
+        let line = error.line_column(library.sources());
+        let line = line.map_or_else(String::new, |(line, _)| format!("line {line}: "));
+        let text = Diagnostic::text(error);
+        let message = text.lines().next().unwrap_or_default();
+        return Err(format!("the spec `{}` has errors: {line}{message}", path.display()));
+    }
+    Ok(all)
 }

@@ -97,15 +97,19 @@ fn find(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
 
 fn text(report: &Report, start: Instant) -> String {
     let mut text = String::new();
+    // What is wrong with a spec is said once.
+    let mut said: Vec<&String> = Vec::new();
     for certificate in &report.certificates {
         let mark = if certificate.problems.is_empty() { '✓' } else { '✗' };
         let of = certificate.of.as_deref().unwrap_or("?");
         text += &format!(" {mark} {of}  {}  {}\n", count(certificate.claims, "claim"), certificate.path);
-        for problem in &certificate.problems {
+        let unusable = certificate.status == Status::Unusable;
+        for problem in certificate.problems.iter().filter(|problem| !(unusable && said.contains(problem))) {
             text += &format!("     {problem}\n");
         }
+        said.extend(certificate.problems.iter().filter(|_| unusable));
     }
-    for problem in &report.manifest {
+    for problem in report.manifest.iter().filter(|problem| !said.contains(problem)) {
         text += &format!(" ✗ {problem}\n");
     }
     for missing in &report.missing {

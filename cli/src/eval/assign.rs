@@ -150,7 +150,8 @@ impl Role {
         let parameters = self.parameters(family);
         let tangents: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
         let position = name::position(name, &self.names(family)).or_else(|| name::position(name, &tangents));
-        position.map(|k| parameters[k])
+        let of_angle = || parameters.iter().position(|p| is_tangent(name, family, p));
+        position.or_else(of_angle).map(|k| parameters[k])
     }
 
     /// What its values must lie in.
@@ -167,6 +168,12 @@ impl Role {
             Self::At => Self::Shape,
         }
     }
+}
+
+/// Whether a name is that of the tangent of an angle, `tan(t/2)`, as counterexamples have it.
+fn is_tangent(name: &str, family: &Family, parameter: &Parameter) -> bool {
+    let tangent = family.analytic.angle(parameter.var).map(Angle::tangent_name);
+    tangent.is_some_and(|tangent| name::position(name, &[&tangent]).is_some())
 }
 
 /// The name of a parameter as the spec has it.
@@ -230,7 +237,13 @@ impl Table<'_> {
         let Some(parameter) = role.find(typed.name, family) else { return self.unknown(role, typed) };
         let (var, value) = (parameter.var, typed.value);
         let tangent = name::position(typed.name, &role.names(family)).is_none();
-        let name = if tangent { &parameter.name } else { written(family, parameter) };
+        // The part of the way between the ends of a range has a name, too.
+        let scaled = tangent && is_tangent(typed.name, family, parameter);
+        let name = match family.analytic.angle(var) {
+            Some(angle) if scaled => &angle.tangent_name(),
+            _ if tangent => &parameter.name,
+            _ => written(family, parameter),
+        };
         if self.values[var.0].is_some() {
             let message = format!("the {} `{name}` is given twice", role.noun());
             let help = match role {
@@ -243,6 +256,13 @@ impl Table<'_> {
         self.typed[var.0] = Some(format!("{name} = {value}"));
         let inner = match family.analytic.angle(var) {
             None => Some((value.value(), value.error())),
+            Some(angle) if scaled => {
+                let known = self.part_of_range(angle, &value.value(), &value.error());
+                if let Some((y, _)) = &known {
+                    self.itself(angle, y);
+                }
+                known
+            }
             Some(angle) if tangent => {
                 let known = value.value();
                 self.itself(angle, &known);
@@ -252,12 +272,18 @@ impl Table<'_> {
         };
         let range = match role {
             Role::At => domain::describe(self.whole),
-            Role::Shape if tangent => parameter.range.display(name).to_string(),
+            Role::Shape if tangent => parameter.range.display(&parameter.name).to_string(),
             Role::Shape => family.declared(parameter),
         };
-        let inside = inner.as_ref().is_some_and(|(x, error)| {
-            [x.clone(), x + error, x - error].iter().any(|x| parameter.range.contains(x))
+        // The tangent of an angle is the one of the angle less a half turn, too.
+        let branch = family.analytic.angle(var).filter(|angle| angle.kind == Kind::Circular && !tangent);
+        let principal = branch.is_none_or(|angle| {
+            value.phase(&angle.rate, angle.turns, &angle.shift).is_within_a_quarter_turn()
         });
+        let inside = principal
+            && inner.as_ref().is_some_and(|(x, error)| {
+                [x.clone(), x + error, x - error].iter().any(|x| parameter.range.contains(x))
+            });
         // Where the domain ends at a shape parameter with a wrong value, or without one, that is the mistake.
         let follows = role == Role::At
             && family.analytic.angle(var).is_some_and(|angle| {
@@ -294,9 +320,14 @@ impl Table<'_> {
             Kind::Linear => (value.value(), value.error()),
         };
         self.set(angle.itself, value.value(), value.error());
+        self.part_of_range(angle, &x, &error)
+    }
+
+    /// y of an angle with the tangent x, and how far it is at most from the one that is meant.
+    fn part_of_range(&self, angle: &Angle, x: &Rational, error: &Rational) -> Option<(Rational, Rational)> {
         let ((low, of_low), (width, of_width)) = (self.known(&angle.low)?, self.known(&angle.width)?);
-        let y = (&x - &low).checked_div(&width)?;
-        let sum = &(&error + &of_low) + &(&y.abs() * &of_width);
+        let y = (x - &low).checked_div(&width)?;
+        let sum = &(error + &of_low) + &(&y.abs() * &of_width);
         Some((y, sum.checked_div(&width.abs())?))
     }
 
@@ -363,7 +394,19 @@ impl Table<'_> {
             Some(meant) => self.meant.push(meant),
             None => self.meant.extend(&own),
         }
+        // A multiple of an angle of which no tangent is known.
+        let angles =
+            role.parameters(self.family).into_iter().filter_map(|p| self.family.analytic.angle(p.var));
+        let angle = angles.filter(|_| name.starts_with("tan")).find(|angle| {
+            let words = name.split(|c: char| !c.is_alphanumeric() && c != '_');
+            words.into_iter().any(|word| name::position(word, &[&angle.name]).is_some())
+        });
+        let in_its_tangent = |angle: &Angle| {
+            let (flag, name, tangent) = (role.flag(), &angle.name, angle.tangent_name());
+            format!("write {flag} {name}=…, or {flag} '{tangent}=…'")
+        };
         let help = match (misplaced, near, own.as_slice()) {
+            _ if angle.is_some() => angle.map(in_its_tangent).unwrap_or_default(),
             (Some(meant), ..) => format!("it is a {}: write {} {meant}={value}", other.noun(), other.flag()),
             (_, Some(near), _) => format!("did you mean `{near}`?"),
             (_, _, []) => format!("the family has no {noun}s"),

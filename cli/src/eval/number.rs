@@ -95,6 +95,7 @@ impl Number {
         let Some(angle) = angle else { return Some(self.value()) };
         let phase = self.phase(&angle.rate, angle.turns, &angle.shift);
         let (x, _) = match angle.kind {
+            Kind::Circular if !phase.is_within_a_quarter_turn() => return None,
             Kind::Circular => phase.tan()?,
             Kind::Hyperbolic => phase.tanh()?,
             Kind::Linear => return Some(self.value()),
@@ -128,6 +129,16 @@ impl Number {
             };
         }
         Self { rational: rate * &self.rational, turns: rate * &(&self.turns - shift) }
+    }
+
+    /// Whether an angle lies between −π/2 and π/2, these included.
+    pub(super) fn is_within_a_quarter_turn(&self) -> bool {
+        let size = if self.rational.is_zero() {
+            self.turns.abs()
+        } else {
+            &self.value().abs() * &pi().recip().unwrap_or(Rational::ZERO)
+        };
+        size <= Rational::new(1, 2)
     }
 
     /// The tangent, and how far it is at most from the true one, 0 at multiples of π/4; `None` where there is none.

@@ -397,3 +397,36 @@ fn open_questions_stay_open() {
     .run(&["check", "s.basis"]);
     assert!(run.stdout.matches('✓').count() >= 5, "{}{}", run.stdout, run.stderr);
 }
+
+#[test]
+fn exceptions_are_angles_as_they_are_written() {
+    let folder = Folder::with(
+        "f.basis",
+        "family F {
+            shape 0 < α <= pi;
+            domain 0 <= t <= α;
+            b[0] = sin(t);
+            b[1] = sin(α - t);
+            refute independent;
+            prove independent except α = pi;
+        }
+        family Inside {
+            shape 0 < α < 2*pi/3;
+            domain 0 <= t <= 1;
+            b[0] = 1;
+            b[1] = 1 + t*cos(α);
+            prove independent except α = pi/2;
+        }",
+    );
+    let run = folder.run(&["check", "f.basis"]);
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("b[0] - b[1] = 0 at α = pi"), "{}", run.stdout);
+    for command in [&["check"][..], &["table"], &["explain"]] {
+        let arguments: Vec<&str> = command.iter().copied().chain(["f.basis"]).collect();
+        let run = folder.run(&arguments);
+        for exception in ["α = pi", "α = pi/2"] {
+            assert!(run.stdout.contains(exception), "{command:?} {}", run.stdout);
+        }
+        assert!(!run.stdout.contains("tan("), "{command:?} {}", run.stdout);
+    }
+}

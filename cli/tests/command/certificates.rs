@@ -93,6 +93,21 @@ fn what_is_missing_or_unreadable() {
 }
 
 #[test]
+fn errors_in_claims_are_said_once() {
+    let family = |name: &str, claim: &str| {
+        format!("family {name} {{ domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; prove {claim}; }}\n")
+    };
+    let folder = Folder::with("f.basis", &[family("A", "b[1] >= 0"), family("B", "nonnegative")].concat());
+    assert_eq!(folder.run(&["check", "--certificates", "proofs", "f.basis"]).code, 0);
+    folder.write("f.basis", &[family("A", "b[7] >= 0"), family("B", "nonnegative")].concat());
+    let run = folder.run(&["verify", "proofs"]);
+    assert_eq!(run.code, 2);
+    let said = "the spec `f.basis` has errors: line 1: there is no function `b[7]`";
+    assert_eq!(run.stdout.matches(said).count(), 1, "{}", run.stdout);
+    assert!(!run.stdout.contains("its claims are not those"), "{}", run.stdout);
+}
+
+#[test]
 fn a_spec_without_any_certificate_is_noticed() {
     let folder = Folder::with("specs/quartic.basis", QUARTIC).and("specs/b.basis", BERNSTEIN);
     assert_eq!(folder.run(&["check", "--certificates", "proofs", "specs"]).code, 0);

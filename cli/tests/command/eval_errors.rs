@@ -163,6 +163,24 @@ fn values_outside_of_their_ranges() {
 }
 
 #[test]
+fn angles_a_turn_away() {
+    let folder = Folder::with(
+        "m.basis",
+        "family M { domain 0 <= t <= pi/2; b[0] = t - sin(t); }\n\
+         family N { domain 0 <= t <= 1; shape 0 < α < pi; b[0] = t*cos(α); }\n",
+    );
+    let said = |arguments: &[&str]| folder.run(&[&["eval", "m.basis"], arguments].concat()).stderr;
+    for value in ["7", "-6", "2*pi", "2", "3", "100"] {
+        let said = said(&["M", "--at", &format!("t={value}")]);
+        assert!(said.contains(&format!("t = {value} is outside of the domain `0 <= t <= pi/2`")), "{said}");
+    }
+    assert_eq!(said(&["M", "--at", "t=pi/2"]), "");
+    assert_eq!(said(&["M", "--at", "t=7", "--anyway"]), "");
+    let far = said(&["N", "--at", "t=1/2", "--shape", "α=7"]);
+    assert!(far.contains("α = 7 is outside of the declared range `0 < α < pi`"), "{far}");
+}
+
+#[test]
 fn values_that_break_an_assumption() {
     let pair = "assumed.basis Pair --at t=1 --shape";
     let refused = "p = 1, q = 1/2 is outside of what is assumed: `p + q <= 1`";

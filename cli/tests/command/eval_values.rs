@@ -46,6 +46,27 @@ impl std::fmt::Display for Q {
 }
 
 #[test]
+fn tangents_of_counterexamples() {
+    let folder = Folder::with(
+        "f.basis",
+        "family C { shape 0 < α < pi; domain 0 <= t <= α; b[0] = sin(t); b[1] = sin(α - t); }",
+    );
+    let said = |arguments: &[&str]| folder.run(&[&["eval", "f.basis", "C"], arguments].concat());
+    let run = said(&["--shape", "tan(α/2)=1/2", "--at", "tan(t/2)=1/4"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    // sin t = 2x/(1 + x²).
+    assert!(
+        run.stdout.contains("at tan(α/2) = 1/2, tan(t/2) = 1/4") && run.stdout.contains("8/17"),
+        "{}",
+        run.stdout
+    );
+    let run = said(&["--shape", "tan(α/2)=1/2", "--at", "tan(t/2)=3/4"]);
+    assert!(run.stderr.contains("tan(t/2) = 3/4 is outside of the domain `0 <= t <= α`"), "{}", run.stderr);
+    let run = said(&["--shape", "tan(α/2)=1/2", "--at", "tan(t/4)=1/4"]);
+    assert!(run.stderr.contains("write --at t=…, or --at 'tan(t/2)=…'"), "{}", run.stderr);
+}
+
+#[test]
 fn values_and_derivatives_of_the_quartic_family() {
     let folder = Folder::with("quartic.basis", QUARTIC);
     for (λ, t) in

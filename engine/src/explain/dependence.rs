@@ -120,7 +120,11 @@ fn exception_at(family: &Family, point: &Values) -> Option<Exceptional> {
 
 /// What an element of the exceptional set says, such as `λ = -3: b[1] - b[2] = 0`.
 pub fn describe_exception(family: &Family, exception: &Exceptional) -> String {
-    let values: Vec<String> = exception.values.iter().map(|(v, c)| c.describe(&family.names[v.0])).collect();
+    let shown = |(v, c): &(Var, Coordinate)| match c {
+        Coordinate::Rational(x) => family.shape_value(*v, x),
+        Coordinate::Algebraic(_) => c.describe(&family.names[v.0]),
+    };
+    let values = exception.values.iter().map(shown).collect::<Vec<_>>();
     let at = if values.is_empty() { String::from("all shape values") } else { values.join(", ") };
     let Some(combination) = &exception.combination else { return at };
     format!("{at}: {} = 0", relation(family, combination, &exception.values))

@@ -15,6 +15,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_between;
 use crate::algebra::work::Work;
 use crate::claim::ClaimKind;
+use crate::model::angle::{Angle, Kind};
 use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
 use crate::state::Verdict;
@@ -46,6 +47,9 @@ impl core::fmt::Display for NonnegativeRange {
 /// What is said where a function is negative at declared shape values.
 const NEGATIVE: &str = "a function is negative somewhere on the declared ranges";
 
+/// What is said where a range could be larger than the declared one.
+const DECLARED: &str = "as declared; no other values were looked at";
+
 /// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the
 /// other parameters on their declared ranges.
 ///
@@ -58,11 +62,12 @@ const NEGATIVE: &str = "a function is negative somewhere on the declared ranges"
 pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
     let dependent = family.analytic.dependent();
     if family.functions.iter().any(|f| dependent.iter().any(|v| f.value.depends_on(*v))) {
-        return nonnegative_as_declared(family, "as declared; no other values were looked at");
+        return nonnegative_as_declared(family, DECLARED);
     }
     let on_box = Problem::on_box(family);
     let mut all: Vec<NonnegativeRange> = family.shapes.mapped(|shape| on_box.range(shape));
-    let is_settled = |range: &NonnegativeRange| range.remark.is_none();
+    let is_settled =
+        |range: &NonnegativeRange| range.remark.as_deref().is_none_or(|remark| remark == DECLARED);
     if family.constraints.is_empty() || all.iter().all(is_settled) {
         return all;
     }
@@ -127,13 +132,15 @@ impl<'f> Problem<'f> {
         let Signs { numerators, denominators, region } = &self.signs;
         let name = &shape.name;
         let open = |remark: String| (Vec::new(), Some(remark));
-        // Beyond its declared range there may be no domain, or no angle.
-        let of_angle = |a: &crate::model::angle::Angle| {
-            a.var == shape.var || a.low.depends_on(shape.var) || a.width.depends_on(shape.var)
-        };
-        let bound = self.is_bound || family.analytic.angles.iter().any(of_angle);
+        // Beyond its declared range there may be no angle; there is a domain as long as its width is positive.
+        let of_domain = |a: &Angle| a.low.depends_on(shape.var) || a.width.depends_on(shape.var);
+        let of_angle = |a: &Angle| a.var == shape.var || a.kind != Kind::Linear && of_domain(a);
+        let angles = &family.analytic.angles;
+        let bound = self.is_bound || angles.iter().any(of_angle);
+        let widths = angles.iter().filter(|a| !bound && of_domain(a));
+        let widths = widths.flat_map(|a| [a.width.numer(), a.width.denom(), a.low.denom()]);
         let mut budget = Budget::scaled(family.budget);
-        let defined = denominators.iter().map(|d| with_simple_zeros(region, d));
+        let defined = denominators.iter().chain(widths).map(|d| with_simple_zeros(region, d));
         let Some(defined) = defined.collect::<Option<Vec<_>>>() else {
             return open(String::from("undecided: the denominators are too large"));
         };
@@ -150,7 +157,8 @@ impl<'f> Problem<'f> {
                 let part = (low, high);
                 let range = text(&part);
                 if self.is_nonnegative(shape, &part) {
-                    (vec![range], None)
+                    let may_be_larger = bound && !self.is_bound && !ends_as_declared(&part, &shape.range);
+                    (vec![range], may_be_larger.then(|| String::from(DECLARED)))
                 } else {
                     open(format!("undecided: {range} could not be proved to be enough"))
                 }
@@ -220,6 +228,16 @@ fn meets((low, high): &Part, declared: &Range) -> bool {
         _ => false,
     };
     !apart(&high, &declared.low) && !apart(&declared.high, &low)
+}
+
+/// Whether a range has the ends of a declared one.
+fn ends_as_declared((low, high): &Part, declared: &Range) -> bool {
+    let same = |own: &Option<Coordinate>, end: &End| match own {
+        None => end.value().is_none(),
+        Some(Coordinate::Rational(x)) => end.value() == Some(x),
+        Some(Coordinate::Algebraic(_)) => false,
+    };
+    same(low, &declared.low) && same(high, &declared.high)
 }
 
 /// The part of a range that is declared, such as `0 < h`.

@@ -249,6 +249,14 @@ impl Family {
         self.analytic.angle(parameter.var).map_or(&parameter.name, |angle| &angle.name)
     }
 
+    /// A shape parameter and its value, `λ = 1`; of an angle as it is written, `α = pi` and not `tan(α/4) = 1`, where that
+    /// is known.
+    pub fn shape_value(&self, var: Var, value: &Rational) -> String {
+        let range = self.shapes.iter().find(|p| p.var == var).map(|p| &p.range);
+        let angle = range.and_then(|range| self.analytic.value_named(var, value, range));
+        angle.unwrap_or_else(|| format!("{} = {value}", self.names[var.0]))
+    }
+
     /// The derivative of a function in a variable; `None` when the work is spent.
     pub fn derivative_within(&self, f: &Fraction, var: Var, work: &mut Work) -> Option<Fraction> {
         self.analytic.derivative_within(f, var, work)

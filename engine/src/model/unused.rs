@@ -7,11 +7,11 @@ use super::formula::print::Printer;
 use super::words::PI;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::plural::list;
-#[cfg(feature = "joins")]
-use crate::syntax::TheoremStatementKind;
 use crate::syntax::{
     self, Binding, ClaimKind, Condition, Expr, ExprKind, Factor, Generator, Loops, Relation, StatementKind,
 };
+#[cfg(feature = "joins")]
+use crate::syntax::{TheoremKind, TheoremStatementKind};
 
 /// Claims that are written twice are shown up to this number.
 const MOST: usize = 10;
@@ -251,12 +251,17 @@ fn is_variable(written: &syntax::Family, name: &str) -> bool {
     })
 }
 
-/// The warnings about scalars of a theorem that nothing depends on.
+/// The warnings about scalars of a theorem that nothing depends on, and about control points of curves that there are not.
 #[cfg(feature = "joins")]
 pub(super) fn of_theorem(written: &syntax::Theorem, place: &dyn Fn(Span) -> Place) -> Vec<Diagnostic> {
     let mut used: Vec<&str> = Vec::new();
-    let mut scalars = Vec::new();
+    let (mut scalars, mut patches) = (Vec::new(), Vec::new());
+    // Names with an index, `R` of `let R[0] = …;`.
+    let mut indexed: Vec<(&str, Span)> = Vec::new();
     for statement in &written.statements {
+        if let TheoremStatementKind::Patch(_, name, _) = &statement.kind {
+            patches.push(name.text.as_str());
+        }
         match &statement.kind {
             TheoremStatementKind::Scalar(bounds, loops) => {
                 in_loops(loops, &mut used);
@@ -272,6 +277,11 @@ pub(super) fn of_theorem(written: &syntax::Theorem, place: &dyn Fn(Span) -> Plac
             | TheoremStatementKind::Budget(value) => names(value, &mut used),
             TheoremStatementKind::Assume(relation) => in_relation(relation, &mut used),
             TheoremStatementKind::Let(target, value, loops) => {
+                if let ExprKind::Index(base, _) = &target.kind
+                    && let ExprKind::Name(name) = &base.kind
+                {
+                    indexed.push((name, base.span));
+                }
                 names(target, &mut used);
                 names(value, &mut used);
                 in_loops(loops, &mut used);
@@ -289,7 +299,21 @@ pub(super) fn of_theorem(written: &syntax::Theorem, place: &dyn Fn(Span) -> Plac
         let message = format!("the scalar `{name}` is never used");
         Diagnostic::error(place(span), message).warning().help("leave it out, or use it in a claim")
     };
-    idle.map(warning).collect()
+    let mut all: Vec<Diagnostic> = idle.map(warning).collect();
+    // In a join this is an error.
+    for (k, (name, span)) in indexed.iter().enumerate().filter(|_| written.kind == TheoremKind::Theorem) {
+        let given = indexed.iter().filter(|(other, _)| other == name).count();
+        let mentioned = used.iter().filter(|other| *other == name).count();
+        let is_first = indexed[..k].iter().all(|(other, _)| other != name);
+        if is_first && mentioned == given && !patches.contains(name) {
+            let message = format!("there is no curve or surface `{name}`, and nothing else uses this name");
+            let help = format!(
+                "declare the curve, `curve {name} = …;`, whose control point this is, or leave it out"
+            );
+            all.push(Diagnostic::error(place(*span), message).warning().help(help));
+        }
+    }
+    all
 }
 
 /// Adds the names in an expression.

@@ -245,7 +245,7 @@ pub fn independent_claim(family: &Family, set: &ExceptionalSet) -> Option<String
         let mut values = Vec::new();
         for (var, value) in &exception.values {
             let Coordinate::Rational(value) = value else { return None };
-            values.push(format!("{} = {value}", family.names[var.0]));
+            values.push(family.shape_value(*var, value));
         }
         match values.as_slice() {
             [] => return None,

@@ -126,7 +126,17 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
             (Comparison::Less, false) | (Comparison::Greater, true) => false,
             (Comparison::LessEqual, false) | (Comparison::GreaterEqual, true) => true,
             (Comparison::Equal, _) => {
-                let help = "a number has a name by `let c = 2;`; the range of one value is `1 <= λ <= 1`";
+                let text = text_of(start, input.cursor());
+                let sides = text.split_once('=').filter(|_| parts.len() == 2 && parts[0].named().is_some());
+                let help = sides.map_or_else(
+                    || String::from("a number has a name by `let c = 2;`; the range of one value is `1 <= λ <= 1`"),
+                    |(name, value)| {
+                        let (name, value) = (name.trim(), value.trim_start_matches('=').trim());
+                        format!(
+                            "a number has a name by `let {name} = {value};`; the range of one value is `{value} <= {name} <= {value}`"
+                        )
+                    },
+                );
                 return Err(error(*span, "a range is made of inequalities, this is an equation", help));
             }
             _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),

@@ -53,6 +53,8 @@ pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
                 "names keep their values: `let c = 1;`"
             } else if input.peek(Token![:]) {
                 "write `=`; types are not written, every value is exact: `let c = 1/2;`"
+            } else if input.peek(Token![->]) || input.peek(Token![=>]) {
+                "write `=`: the left name has the value on the right"
             } else if input.is_empty() || input.peek(Token![;]) || input.peek(Token![,]) {
                 let help = format!("write its value, `{} = 0`", name.text);
                 return Err(error(found.span(), found.to_string(), help));

@@ -379,6 +379,15 @@ impl Elaboration<'_> {
             }
         };
         let equal = comparison == Comparison::Equal;
+        let is_vector = |value: &Value| matches!(value, Value::Vector(_));
+        if !equal && (is_vector(&left) || is_vector(&right)) {
+            let message = format!("vectors have no order: `{}` compares scalars", comparison.symbol());
+            let error = self.scope.error(written.span, message);
+            self.scope.report(error.help(
+                "compare coordinates, `P(0)[0] >= 0`, or dot products, `dot(a, b) >= 0`; vectors compare by `==` and `parallel`",
+            ));
+            return None;
+        }
         match (left, right) {
             (Value::Scalar(a), Value::Scalar(b)) => {
                 let difference = self.scope.budget.sub(&a, &b);

@@ -26,6 +26,18 @@ fn exceptions_and_ranges_are_those_of_angles() {
         domain 0 <= t <= pi/2;
         b[0] = sin(t) - λ*t;
         b[1] = cos(t);
+    }
+    family Wide {
+        shape 0 < h <= 5;
+        domain 0 <= x <= h;
+        f[0] = x/h;
+        f[1] = 1 - f[0];
+    }
+    family Part {
+        shape 0 < α <= pi/4;
+        domain 0 <= t <= α;
+        b[0] = sin(t);
+        b[1] = sin(α - t);
     }";
     let library = Library::from_source(&Disk, &Prover, Source::text("explained.basis", spec));
     let items = library.items(Selected::EveryOrder);
@@ -41,4 +53,6 @@ fn exceptions_and_ranges_are_those_of_angles() {
     assert_eq!(said(1), (vec![String::from("λ = 0: b[2] = 0")], None, declared("0 <= λ <= 1")));
     let negative = String::from("λ: a function is negative somewhere on the declared ranges");
     assert_eq!(said(2), (Vec::new(), None, vec![negative]));
+    assert_eq!(said(3), (Vec::new(), None, vec![String::from("0 < h")]));
+    assert_eq!(said(4), (Vec::new(), None, declared("0 < α <= pi/4")));
 }

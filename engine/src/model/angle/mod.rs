@@ -28,7 +28,7 @@ use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::Range;
+use crate::algebra::range::{End, Range};
 use crate::algebra::rational::{Rational, ToFloat as _};
 use crate::algebra::work::Work;
 use crate::model::roots::{self, Root};
@@ -255,6 +255,24 @@ impl Analytic {
     /// Whether nothing does.
     pub fn is_empty(&self) -> bool {
         self.angles.is_empty() && self.numbers().is_empty()
+    }
+
+    /// Where the variable of an angle has a value: at an end of its range as that is written, `t = pi/2`, inside as a
+    /// multiple of π, if it is one of which the tangent is 0 or ±1.
+    pub(crate) fn value_named(&self, var: Var, value: &Rational, range: &Range) -> Option<String> {
+        let angle = self.angle(var)?;
+        let is_here = |end: &End| end.value() == Some(value);
+        let side = [&range.low, &range.high].into_iter().position(is_here);
+        if let Some(end) = side.map(|side| &angle.ends[side]).filter(|end| !end.is_empty()) {
+            return Some(format!("{} = {end}", angle.name));
+        }
+        let is_tangent = angle.low.is_zero() && angle.width == Fraction::constant(Rational::ONE);
+        if angle.kind != Kind::Circular || angle.turns || !is_tangent {
+            return None;
+        }
+        let quarters = value.to_i64().filter(|x| (-1..=1).contains(x))?;
+        let turns = Rational::new(quarters, 4).checked_div(&angle.rate)?;
+        Some(format!("{} = {}", angle.name, multiple_of_pi(&(&turns + &angle.shift))))
     }
 
     /// The angle of a variable: y, x or s itself.

@@ -57,7 +57,18 @@ impl Scope<'_> {
                 },
                 (None, None) if rest.len() > 1 && rest.iter().any(|other| self.mentions_domain(other)) => {
                     let error = self.error(argument.span, "the order of a derivative follows its variable");
-                    self.report(error.help("write `D(b[0], t, 2)`, with one variable `D(b[0], 2)`"));
+                    let print = |e: &Expr| Printer { constants: &self.constants, component: None }.print(e);
+                    let help = match rest {
+                        [order, variable] => {
+                            let (f, order) = (self.shown_function(f), print(order));
+                            format!(
+                                "write `D({f}, {}, {order})`, with one variable `D({f}, {order})`",
+                                print(variable)
+                            )
+                        }
+                        _ => String::from("write `D(b[0], t, 2)`, with one variable `D(b[0], 2)`"),
+                    };
+                    self.report(error.help(help));
                     return None;
                 }
                 (None, None) => {

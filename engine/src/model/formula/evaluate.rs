@@ -7,6 +7,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
 use crate::model::budget::TooLarge;
+use crate::model::formula::print::Printer;
 use crate::model::label;
 use crate::model::scope::{Duty, Needed, Pending, Scope, Stage};
 use crate::model::words::{BUILTINS, PI, is_transcendental};
@@ -387,6 +388,14 @@ impl Scope<'_> {
         Some((power, e.is_negative()))
     }
 
+    /// Reports an order in square brackets, as in `Bernstein[3,1]`.
+    fn without_order(&self, name: &str, (orders, index): (&[Expr], &[Expr]), span: Span) {
+        let print = |e: &Expr| Printer { constants: &self.constants, component: None }.print(e);
+        let list = |all: &[Expr]| all.mapped(print).join(", ");
+        let error = self.error(span, format!("`{name}` stands without its order"));
+        self.report(error.help(format!("write `{name}({})[{}]`", list(orders), list(index))));
+    }
+
     fn indexed(&mut self, base: &Expr, indices: &[Expr], span: Span) -> Option<Value> {
         if let ExprKind::Name(name) = &base.kind
             && (BUILTINS.contains(&name.as_str()) || is_transcendental(name))
@@ -395,9 +404,31 @@ impl Scope<'_> {
             self.report(error.help(format!("write its argument in round brackets, `{name}(…)`")));
             return None;
         }
+        if let ExprKind::Name(name) = &base.kind
+            && self.is_capitalised(name)
+        {
+            self.unknown_function(name, base.span);
+            return None;
+        }
+        if let ExprKind::Name(name) = &base.kind
+            && *name != self.function_name
+            && self.taken(name).is_none()
+            && let orders = self.library.order_count(self.unit, name)
+            && orders > 0
+            && indices.len() > orders
+        {
+            self.without_order(name, indices.split_at(orders), base.span);
+            return None;
+        }
         let mut index = Vec::new();
+        let help = match &base.kind {
+            ExprKind::Name(name) => format!(
+                "an index is a whole number, `{name}[0]`, or an index variable, `{name}[i]` with `for i in 0..=3`; an argument stands in round brackets, `{name}[0](t)`"
+            ),
+            _ => String::from("an index is a whole number or an index variable, `for i in 0..=3`"),
+        };
         for i in indices {
-            index.push(self.whole(i, "an index")?);
+            index.push(self.whole_or(i, "an index", Some(&help))?);
         }
         if let ExprKind::Name(name) = &base.kind
             && *name == self.function_name

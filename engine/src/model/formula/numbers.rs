@@ -5,7 +5,7 @@ use proc_macro2::Span;
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
-use crate::model::scope::Scope;
+use crate::model::scope::{Scope, Subject};
 use crate::model::words::BUILTINS;
 use crate::syntax::{Expr, ExprKind, IndexRange, Limit};
 
@@ -35,7 +35,12 @@ impl Scope<'_> {
 
     /// The number that an argument of `min`, `max`, `floor` or `ceil` is.
     pub(crate) fn compared_number(&mut self, expr: &Expr, function: &str) -> Option<Rational> {
-        let help = "on parts of the domain a function is given in spans, `domain 0 <= t <= 1/2, 1/2 <= t <= 1; b[0] = 1 - t | t;`";
+        let is_shape = |name: &&str| self.variable(name).is_some_and(|v| !self.is_domain_variable(v));
+        let help = if self.subject == Subject::Family && expr.names().iter().all(is_shape) {
+            "a family has one formula for all values of its shape parameters: write one family for each part of the range, such as `shape 0 <= λ <= 1/2;` and `shape 1/2 <= λ <= 1;`"
+        } else {
+            "on parts of the domain a function is given in spans, `domain 0 <= t <= 1/2, 1/2 <= t <= 1; b[0] = 1 - t | t;`"
+        };
         self.number_or(expr, &format!("an argument of `{function}`"), help)
     }
 
@@ -65,10 +70,22 @@ impl Scope<'_> {
 
     /// The first and last value that a generator runs over.
     pub(crate) fn bounds(&mut self, generator: &IndexRange) -> Option<(i64, i64)> {
-        let low = self.whole(&generator.low, "the first value of an index")?;
-        let high = self.whole(&generator.high, "the last value of an index")?;
+        let low = self.end_of_loop(&generator.low, "the first value of an index")?;
+        let high = self.end_of_loop(&generator.high, "the last value of an index")?;
         let last = if generator.inclusive { high } else { high.checked_sub(1)? };
         Some((low, last))
+    }
+
+    /// One of them; of a shape parameter, with what to declare in its place.
+    fn end_of_loop(&mut self, expr: &Expr, what: &str) -> Option<i64> {
+        let is_shape = |name: &&str| self.variable(name).is_some_and(|v| !self.is_domain_variable(v));
+        let shape = expr.names().into_iter().find(is_shape).filter(|_| self.subject == Subject::Family);
+        let help = shape.map(|name| {
+            format!(
+                "`{name}` is a shape parameter, which has all values of its range; whole numbers belong to an index parameter, `family F({name} in 1..=3)`"
+            )
+        });
+        self.whole_or(expr, what, help.as_deref())
     }
 
     /// Whether an expression mentions a function, a variable, or another family: anything that can vary.

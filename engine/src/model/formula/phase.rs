@@ -6,14 +6,14 @@
 use proc_macro2::Span;
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
+use crate::algebra::poly::{Monomial, Var};
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Analytic, Angle, Kind, multiple_of_pi, times};
 use crate::model::roots::{Root, is_number};
 use crate::model::scope::{Argument, Scope};
 use crate::model::words::CIRCULAR;
 use crate::syntax::Expr;
-use basis_prover::collections::list::Mapped;
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// A sum of multiples of variables, of π, and of 1.
 #[derive(Clone, Debug)]
@@ -129,14 +129,21 @@ impl Phase {
     }
 }
 
-/// A shape parameter and the domain variable of which it is the frequency: a polynomial of degree 2 that has their product.
+/// A shape parameter and the domain variable of which it is the frequency: a polynomial of degree 2
+/// in these that has their product.
 pub(crate) fn frequency(
     value: &Fraction,
     is_parameter: impl Fn(Var) -> bool,
     is_domain: impl Fn(Var) -> bool,
 ) -> Option<(Var, Var)> {
-    let polynomial = value.as_poly().filter(|p| p.total_degree() == 2)?;
+    let polynomial = value.as_poly()?;
     let variables = polynomial.variables();
+    // Multiples of π are numbers.
+    let counted = variables.iter().filter(|v| is_parameter(**v) || is_domain(**v)).listed();
+    let degree = |m: &Monomial| counted.iter().map(|v| u32::from(m.exponent(**v))).sum::<u32>();
+    if polynomial.terms().map(|(m, _)| degree(m)).max() != Some(2) {
+        return None;
+    }
     let pairs = variables
         .iter()
         .filter(|p| is_parameter(**p))
@@ -146,9 +153,10 @@ pub(crate) fn frequency(
 }
 
 /// What to write for a shape parameter as a frequency.
-pub(crate) fn as_end_of_domain(name: &str, parameter: &str, t: &str) -> String {
+pub(crate) fn as_end_of_domain(name: &str, parameter: &str, t: &str, turns: bool) -> String {
+    let pi = if turns { "pi*" } else { "" };
     format!(
-        "a frequency is a number: let the parameter be the end of the domain, `shape 0 < {parameter}; domain 0 <= {t} <= {parameter};`, and write `{name}({t})`"
+        "a frequency is a number: let the parameter be the end of the domain, `shape 0 < {parameter}; domain 0 <= {t} <= {parameter};`, and write `{name}({pi}{t})`"
     )
 }
 
@@ -355,7 +363,8 @@ impl Scope<'_> {
         let error = self.error(span, format!("the argument of `{name}` is not linear in one variable"));
         self.report(match frequency(value, is_parameter, is_domain) {
             Some((parameter, t)) => {
-                error.help(as_end_of_domain(name, &self.names[parameter.0], &self.names[t.0]))
+                let turns = self.analytic.pi.is_some_and(|pi| value.depends_on(pi));
+                error.help(as_end_of_domain(name, &self.names[parameter.0], &self.names[t.0], turns))
             }
             None => error.help(
                 "it is a rational multiple of a variable, or that times `pi`, plus multiples of shape parameters and of `pi/2`",

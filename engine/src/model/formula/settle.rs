@@ -227,14 +227,9 @@ impl Scope<'_> {
 
     /// Where a variable has a value; at an end of the range of an angle as that is written, `t = pi/2`.
     fn value_named(&self, var: Var, value: &Rational, range: &Range) -> String {
-        let is_here = |end: &End| end.value() == Some(value);
-        let side = [&range.low, &range.high].into_iter().position(is_here);
-        match self.analytic.angle(var).zip(side) {
-            Some((angle, side)) if !angle.ends[side].is_empty() => {
-                format!("{} = {}", angle.name, angle.ends[side])
-            }
-            _ => format!("{} = {value}", self.names[var.0]),
-        }
+        self.analytic
+            .value_named(var, value, range)
+            .unwrap_or_else(|| format!("{} = {value}", self.names[var.0]))
     }
 
     /// How to leave a value out of the range of a parameter or scalar.
@@ -271,6 +266,15 @@ impl Scope<'_> {
         let instead =
             if self.stage == Stage::Complete { "multiply the claim by the denominator, or " } else { "" };
         let word = if self.domain.contains(&var) { "domain" } else { "shape" };
+        if !at(&range.low) && !at(&range.high) {
+            let below = Range { high: End::Excluded(value.clone()), ..range.clone() };
+            let above = Range { low: End::Excluded(value.clone()), ..range.clone() };
+            return format!(
+                "{instead}leave this value out, which takes a family for each side of it: `{word} {};` and `{word} {};`",
+                below.display(name),
+                above.display(name)
+            );
+        }
         format!("{instead}leave this value out: `{word} {};`", narrowed.display(name))
     }
 

@@ -86,6 +86,9 @@ impl Library<'_> {
             } else if order.is_empty() && small.len() == wanted.len() {
                 let small = small.mapped(i64::to_string).join(", ");
                 format!("write `{name}({})` with numbers, such as `{name}({small})`", wanted.join(", "))
+            } else if let Some((own, index)) = order.split_at_checked(wanted.len()) {
+                let [own, index] = [own, index].map(|part| part.mapped(i64::to_string).join(", "));
+                format!("the index of a function follows in square brackets: `{name}({own})[{index}]`")
             } else {
                 format!("write `{name}({})` with numbers", wanted.join(", "))
             };
@@ -101,9 +104,22 @@ impl Library<'_> {
             return done.clone().ok_or(None);
         }
         if self.active.borrow().contains(&key) {
+            let active = self.active.borrow();
+            let circle = active.iter().skip_while(|known| **known != key).chain([&key]);
+            let title = |(home, position, order): &(usize, usize, Vec<i64>)| {
+                let name = self.units[*home].family(*position).map_or("", |family| &family.name.text);
+                let order = order.mapped(i64::to_string).join(", ");
+                if order.is_empty() { String::from(name) } else { format!("{name}({order})") }
+            };
+            let circle = circle.map(title).listed();
+            let through = if circle.len() > 2 {
+                format!("; the circle is {}", circle.join(" -> "))
+            } else {
+                String::new()
+            };
             return Err(Some((
                 format!("`{name}` is defined by itself"),
-                String::from("a formula may use only families that do not need this one"),
+                format!("a formula may use only families that do not need this one{through}"),
             )));
         }
         if self.active.borrow().len() >= MAX_DEPTH {

@@ -2,10 +2,11 @@
 
 use proc_macro2::Span;
 
-use super::{Scope, Subject};
+use super::{Scope, Stage, Subject};
 use crate::advice::{closest, did_you_mean};
 use crate::model::words::{
     BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, FUNCTIONS, HYPERBOLIC, OTHER_NAMES, PI, VARIABLES,
+    is_transcendental,
 };
 use basis_prover::collections::list::Listed;
 
@@ -55,6 +56,9 @@ impl Scope<'_> {
             _ if self.with_underscore(name).is_some() => self.with_underscore(name).unwrap_or_default(),
             "i" | "j" | "k" | "l" if !self.counts && self.subject != Subject::Theorem => format!(
                 "an index variable is known in its own statement, `for {name} in 0..=3`; a name by `let` takes it as an argument, `let h(x, {name}) = …;`"
+            ),
+            "abs" if self.subject == Subject::Family && self.stage == Stage::Defining => String::from(
+                "write what it is on each side of its zero, on spans: `domain 0 <= t <= 1/2, 1/2 <= t <= 1; b[0] = 1/2 - t | t - 1/2;`",
             ),
             "abs" => String::from("write `-1 <= x <= 1` for |x| <= 1"),
             "sqrt" => String::from(
@@ -152,6 +156,16 @@ impl Scope<'_> {
         Some(format!("write `pi*{rest}`"))
     }
 
+    /// Whether a name without a meaning is that of a function of the language but for its capital letters, as in `Sin[t]`.
+    pub(crate) fn is_capitalised(&self, name: &str) -> bool {
+        let small = name.to_lowercase();
+        small != name
+            && (BUILTINS.contains(&small.as_str()) || is_transcendental(&small))
+            && name != self.function_name
+            && self.taken(name).is_none()
+            && !self.library.knows(self.unit, name)
+    }
+
     /// Reports an unknown name in front of arguments: it is meant as a function.
     pub(crate) fn unknown_function(&self, name: &str, span: Span) {
         if self.is_full() || self.is_mistaken(name) {
@@ -161,6 +175,11 @@ impl Scope<'_> {
             self.undeclared.borrow_mut().push(name.to_string());
             let error = self.error(span, format!("there is no function `{name}`"));
             return self.report(error.help(format!("write `{instead}`")));
+        }
+        if self.is_capitalised(name) {
+            self.undeclared.borrow_mut().push(name.to_string());
+            let error = self.error(span, format!("there is no function `{name}`"));
+            return self.report(error.help(format!("write `{}(…)`", name.to_lowercase())));
         }
         let families = self.library.visible(self.unit);
         let known: Vec<&str> = BUILTINS.iter().copied().chain(families.iter().map(String::as_str)).listed();

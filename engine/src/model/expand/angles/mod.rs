@@ -57,9 +57,9 @@ pub(super) fn declare<'a>(
     let names = shapes.iter().chain(&domain).map(|(d, _)| d.name.text.clone()).listed();
     let (mut uses, finer) = survey(scope, written, &names, shapes.len());
     scope.analytic.finer = finer;
-    if let Some((parameter, t, function, span)) = uses.frequencies.first() {
+    if let Some((parameter, t, function, span, turns)) = uses.frequencies.first() {
         let error = scope.error(*span, format!("the argument of `{function}` is not linear in one variable"));
-        scope.report(error.help(as_end_of_domain(function, &names[parameter.0], &names[t.0])));
+        scope.report(error.help(as_end_of_domain(function, &names[parameter.0], &names[t.0], *turns)));
         return None;
     }
     let mut slots = Vec::new();

@@ -30,8 +30,8 @@ pub(super) struct Uses {
     pub(super) places: Vec<(Var, Linear)>,
     /// Shape parameters that stand in functions themselves.
     pub(super) beside: Vec<Var>,
-    /// Shape parameters as frequencies of domain variables, with the function, and where.
-    pub(super) frequencies: Vec<(Var, Var, String, Span)>,
+    /// Shape parameters as frequencies of domain variables, with the function, where, and whether π is a factor.
+    pub(super) frequencies: Vec<(Var, Var, String, Span, bool)>,
 }
 
 #[derive(Clone, Debug)]
@@ -212,7 +212,8 @@ impl Seen {
             let Some(linear) = Linear::of(value, *pi) else {
                 let pair = frequency(value, |v| v.0 < *shapes, |v| (*shapes..names.len()).contains(&v.0));
                 if let Some((parameter, t)) = pair {
-                    uses.frequencies.push((parameter, t, name.clone(), span));
+                    let turns = pi.is_some_and(|pi| value.depends_on(pi));
+                    uses.frequencies.push((parameter, t, name.clone(), span, turns));
                 }
                 continue;
             };

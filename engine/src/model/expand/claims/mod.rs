@@ -239,7 +239,7 @@ fn property(
         syntax::ClaimKind::Symmetric => (String::from("symmetric"), ClaimKind::Symmetric),
         syntax::ClaimKind::Independent(exceptions) => {
             let except = self::exceptions(scope, family, exceptions)?;
-            let parts: Vec<String> = except.mapped(|values| describe_values(values, &family.names));
+            let parts: Vec<String> = except.mapped(|values| describe_values(values, family));
             let text = if parts.is_empty() {
                 String::from("independent")
             } else {

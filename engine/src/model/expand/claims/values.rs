@@ -104,8 +104,8 @@ pub(super) fn neighbour(
 }
 
 /// Exceptional shape values as text.
-pub(super) fn describe_values(values: &[(Var, Rational)], names: &[String]) -> String {
-    let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", names[v.0]));
+pub(super) fn describe_values(values: &[(Var, Rational)], family: &Family) -> String {
+    let parts: Vec<String> = values.mapped(|(v, x)| family.shape_value(*v, x));
     if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(", ")) }
 }
 

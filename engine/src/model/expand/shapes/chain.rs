@@ -384,6 +384,12 @@ fn target(scope: &mut Scope<'_>, decl: &ShapeDecl, k: usize, others: &Others) ->
         && scope.variable(&name.text).is_some()
         && decl.parts[k + 1..].iter().any(|part| part.named().is_some());
     if primary(decl) == Some(k) && !goes_on {
+        if others.doubled.contains(&name.text) {
+            let error = scope.error(name.span, format!("`{}` is already a domain variable", name.text));
+            scope.undeclared.borrow_mut().push(name.text.clone());
+            scope.report(error.label("declared again here").help("choose another name"));
+            return ControlFlow::Break(None);
+        }
         if free(scope) {
             return ControlFlow::Break(Some(name));
         }
@@ -416,24 +422,30 @@ fn target(scope: &mut Scope<'_>, decl: &ShapeDecl, k: usize, others: &Others) ->
 pub(super) struct Others {
     /// Of the domain variables.
     domain: Vec<String>,
+    /// Names of shape parameters that a domain variable further up has.
+    doubled: Vec<String>,
     /// Of the shape parameters that later chains declare.
     pub(super) later: Vec<String>,
 }
 
 impl Others {
     pub(super) fn new(written: &syntax::Family) -> Self {
-        let (mut domain, mut later) = (Vec::new(), Vec::new());
+        let (mut domain, mut later, mut doubled) = (Vec::<String>::new(), Vec::new(), Vec::new());
         for statement in &written.statements {
             match &statement.kind {
                 StatementKind::Domain(decls) => domain.extend(decls.iter().map(|d| d.name.text.clone())),
                 StatementKind::Product(factors) => {
                     domain.extend(factors.iter().flat_map(Factor::names).map(|name| name.text.clone()));
                 }
-                StatementKind::Shape(decls) => later.extend(decls.iter().filter_map(own_name)),
+                StatementKind::Shape(decls) => {
+                    let own = decls.iter().filter_map(own_name).listed();
+                    doubled.extend(own.iter().filter(|name| domain.contains(name)).cloned());
+                    later.extend(own);
+                }
                 _ => {}
             }
         }
-        Self { domain, later }
+        Self { domain, doubled, later }
     }
 }
 

@@ -8,8 +8,8 @@
 //! *Proof.* dH/ds = v·(Q′·q ∓ 2N·x·Q)/qᴺ. Compared by powers of x, P = c·qᴺ + v·(Q′·q ∓ 2N·x·Q) determines the coefficient
 //! of x^(k+1) in Q from that of x^(k−1), and the last equation c: its factor is the mean of a positive function, times a number.
 //!
-//! So ∫ sᵐ·P/qᴺ ds = c·sᵐ⁺¹/(m + 1) + sᵐ·H − m·∫ sᵐ⁻¹·H ds. Nothing else has an antiderivative among the functions of a spec:
-//! ∫ tan = −ln cos.
+//! So ∫ sᵐ·P/qᴺ ds = c·sᵐ⁺¹/(m + 1) + sᵐ·H − m·∫ sᵐ⁻¹·H ds. Of quotients by other polynomials some have an antiderivative
+//! among the functions of a spec, and some do not: ∫ cos/(1 + sin)² = −1/(1 + sin), ∫ tan = −ln cos. They are errors.
 
 use proc_macro2::Span;
 
@@ -42,10 +42,9 @@ impl Scope<'_> {
         let Some((mut left, n)) = self.in_powers(&f, angle) else {
             let name = &angle.name;
             let functions = if angle.kind == Kind::Circular { "sin, cos" } else { "sinh, cosh, exp" };
-            let error = self.error(span, "the integral leaves the functions of a spec");
-            let label =
-                format!("no combination of {functions} and powers of `{name}` has this as its derivative");
-            let help = "claim that the integrand lies between functions that are integrated, `x <= y <= z`: their integrals bound this one";
+            let error = self.error(span, format!("integrals of quotients in {functions} are not supported"));
+            let label = format!("sums of products of {functions} and powers of `{name}` are integrated");
+            let help = "claim the derivative of the antiderivative, `D(1/(1 + sin(t)), t) = …`, and its values at the ends; or that the integrand lies between functions that are integrated, `x <= y <= z`: their integrals bound this one";
             self.report(error.label(label).help(help));
             return None;
         };

@@ -119,7 +119,7 @@ pub(super) fn at_exception(family: &Family, values: &Values) -> String {
 
 /// An exception as it is written, `p = 1`, of several values with brackets.
 pub(super) fn exception_text(family: &Family, values: &[(Var, Rational)]) -> String {
-    let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
+    let parts: Vec<String> = values.mapped(|(v, x)| family.shape_value(*v, x));
     match &parts[..] {
         [only] => only.clone(),
         several => format!("({})", several.join(", ")),

@@ -4,6 +4,7 @@ use basis_kernel::{Statement, Values};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, Counterexample};
 
+use super::super::beside;
 use super::super::point::{domain_names, named_point};
 use super::apart::{APART, with_multiples};
 use super::squares::{at_exception, exception_text};
@@ -38,7 +39,10 @@ pub(in crate::state::family) fn witness(
     let described: Vec<String> = point
         .iter()
         .filter(|(v, _)| family.shapes.iter().any(|s| s.var == *v))
-        .map(|(v, c)| c.describe(&family.names[v.0]))
+        .map(|(v, c)| match c {
+            Coordinate::Rational(x) => family.shape_value(*v, x),
+            Coordinate::Algebraic(_) => c.describe(&family.names[v.0]),
+        })
         .listed();
     let rational: Option<Vec<Rational>> = point
         .iter()
@@ -98,6 +102,7 @@ pub(in crate::state::family) fn witness(
         _ => APART.into_iter().find(|own| *own == label).unwrap_or(COEFFICIENTS),
     };
     let mut witness = Witness::new(of, at, value, refutation).about(stated);
+    witness.places = beside::places(family, &[], &witness.at, &point);
     witness.idle = domain_names(family);
     witness.notes = vec![note];
     witness
@@ -113,7 +118,7 @@ fn no_exception(family: &Family, except: &[Values], values: &[(Var, Rational)], 
         && others.iter().any(|other| single(other) != single(first))
         && except.iter().all(|values| single(values).is_some())
     {
-        let all = except.iter().flatten().map(|(v, x)| format!("{} = {x}", family.names[v.0])).listed();
+        let all = except.iter().flatten().map(|(v, x)| family.shape_value(*v, x)).listed();
         return format!("{note}; one that needs all of these values is `except ({})`", all.join(", "));
     }
     note
