@@ -286,8 +286,9 @@ pub use simplex::{
 #[cfg(feature = "geometry")]
 pub use surface::{Area, BoundedSurface, Isocurve, SurfacePiece};
 pub use surface::{
-    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, RationalPatchOf,
-    RationalSurface, ScalarOf, Surface, SurfaceDomain, TensorSurface, VectorOf, edge_continuity,
+    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, Orientation,
+    RationalPatchOf, RationalSurface, ScalarOf, Surface, SurfaceDomain, TensorSurface, VectorOf,
+    edge_continuity,
 };
 pub use vector::Point3;
 
