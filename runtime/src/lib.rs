@@ -68,7 +68,7 @@
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
 //! | --- | --- | --- | --- | --- | --- |
-//! | points: `domain`, `eval`, `eval_checked`, `eval_clamped`, `start`, `end`, `samples_into` | yes | yes | yes | yes | yes |
+//! | points: `domain`, `eval`, `eval_checked`, `eval_clamped`, `eval_into`, `start`, `end`, `samples_into` | yes | yes | yes | yes | yes |
 //! | points one after the other: `samples` | yes | yes | yes | yes | no: the iterator has a type of its own |
 //! | derivatives: `derivative`, `derivatives_into` | yes | yes | yes | yes | yes |
 //! | as an array: `eval_with_derivs` | yes | yes | yes | yes | no: the length is a parameter of the function |

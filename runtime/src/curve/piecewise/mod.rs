@@ -125,7 +125,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         Ok(self.eval(u))
     }
 
-    /// The point at `u`, or the nearer end of the curve if `u` is outside of the domain. If `u` is NaN so is the point.
+    /// The point at `u`, or the nearer end of the curve if `u` is outside of the domain; if `u` is NaN so is the point.
     pub fn eval_clamped(&self, u: B::Scalar) -> P {
         let [lo, hi] = self.domain();
         self.eval(if u < lo {
