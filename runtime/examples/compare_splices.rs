@@ -5,7 +5,8 @@
 use std::time::Instant;
 
 use basis_runtime::bspline::{
-    BSplineSurface, Edge, EdgePair, KnotVector, Method, Net, SpliceError, SpliceOptions, splice,
+    BSplineSurface, Edge, EdgeKnots, EdgePair, KnotVector, Method, Net, SecondRow, SpliceError,
+    SpliceOptions, splice,
 };
 
 type P3 = [f64; 3];
@@ -58,13 +59,15 @@ fn cases() -> Vec<Case> {
 fn main() {
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     let least = SpliceOptions::default().method(Method::LeastSquares);
+    let own = least.edge_knots(EdgeKnots::Own);
+    let kept = own.second_row(SecondRow::Kept);
     let methods = [
-        ("paper", least.method(Method::Midpoints).without_carrying().without_merging()),
-        ("paper, carry", least.method(Method::Midpoints).without_merging()),
-        ("paper, carry, merged", least.method(Method::Midpoints)),
-        ("least squares", least.without_carrying().without_merging()),
-        ("least squares, carry", least.without_merging()),
-        ("least squares, carry, merged", least),
+        ("paper", kept.method(Method::Midpoints)),
+        ("paper, carried", own.method(Method::Midpoints)),
+        ("paper, carried, merged", least.method(Method::Midpoints)),
+        ("least squares", kept),
+        ("least squares, carried", own),
+        ("least squares, carried, merged", least),
         ("exact", least.method(Method::Exact)),
     ];
     println!("| case | method | spans | rounds | gap | angle | change | time |");

@@ -68,7 +68,7 @@
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
 //! | --- | --- | --- | --- | --- | --- |
-//! | points: `domain`, `eval`, `eval_checked`, `eval_clamped`, `start`, `end`, `samples_into` | yes | yes | yes | yes | yes |
+//! | points: `domain`, `eval`, `eval_checked`, `eval_clamped`, `eval_into`, `start`, `end`, `samples_into` | yes | yes | yes | yes | yes |
 //! | points one after the other: `samples` | yes | yes | yes | yes | no: the iterator has a type of its own |
 //! | derivatives: `derivative`, `derivatives_into` | yes | yes | yes | yes | yes |
 //! | as an array: `eval_with_derivs` | yes | yes | yes | yes | no: the length is a parameter of the function |
@@ -286,8 +286,9 @@ pub use simplex::{
 #[cfg(feature = "geometry")]
 pub use surface::{Area, BoundedSurface, Isocurve, SurfacePiece};
 pub use surface::{
-    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, RationalPatchOf,
-    RationalSurface, ScalarOf, Surface, SurfaceDomain, TensorSurface, VectorOf, edge_continuity,
+    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, Orientation,
+    RationalPatchOf, RationalSurface, ScalarOf, Surface, SurfaceDomain, TensorSurface, VectorOf,
+    edge_continuity,
 };
 pub use vector::Point3;
 

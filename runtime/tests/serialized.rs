@@ -7,9 +7,9 @@ mod sources;
 
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, ConstructionError,
-    Continuity, Direction, FitError, FollowOptions, Followed, Homogeneous, JointMeasure, KnotError,
-    KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Seam, Spacing,
-    Splice, SpliceError, SpliceOptions, SplineError, splice,
+    Continuity, Direction, EdgeKnots, FitError, FollowOptions, Followed, Homogeneous, JointMeasure,
+    KnotError, KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint,
+    Seam, SecondRow, Spacing, Splice, SpliceError, SpliceOptions, SplineError, splice,
 };
 use basis_runtime::laws::{Checks, Law, Place, Violation};
 use basis_runtime::{
@@ -17,13 +17,14 @@ use basis_runtime::{
     CountError, Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity,
     EdgePair, Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame,
     GridCorners, GridFit, Isocurve, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh,
-    MeshError, Nearest, Offset, ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting,
-    ProductPatch, Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline,
+    MeshError, Nearest, Offset, Orientation, ParametricCurve, Path, PathSegment, PiecewiseCurve,
+    PlaneMeeting, ProductPatch, Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline,
     RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
     SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke, Surface, SurfaceDomain, SurfaceMeeting,
     SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation,
     TriangleContact, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
-    bernstein::Root, edge_continuity,
+    bernstein::{Root, RootKind},
+    edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -163,7 +164,8 @@ fn bases_forms_and_curves() {
         "normal": [0.0, 1.0, 0.0],
         "binormal": [0.0, 0.0, 1.0],
     })));
-    again(read::<Root<f64>>(json!({ "x": 0.5, "crosses": true })));
+    again(read::<Root<f64>>(json!({ "x": 0.5, "kind": "Crossing" })));
+    again(RootKind::Contact);
     again(Checks::default());
     again(Law::Split);
 }
@@ -270,7 +272,7 @@ fn fits() {
 
 #[test]
 fn joints_and_networks_of_splines() {
-    let seam = Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::VStart], reversed: false };
+    let seam = Seam { patches: [0, 1], edges: EdgePair::along(Edge::VEnd, Edge::VStart) };
     let network = Network::new([spline(), spline()].to_vec(), [seam].to_vec()).unwrap();
     again(seam);
     again(network.clone());
@@ -280,6 +282,8 @@ fn joints_and_networks_of_splines() {
     again(read::<Followed<P>>(json!({ "network": network, "changed": [1], "seams": [[0, measure]] })));
     again(FollowOptions::default());
     again(EdgePair::against(Edge::UStart, Edge::UEnd));
+    again(Orientation::Opposite);
+    again((SecondRow::Kept, EdgeKnots::Own));
     again((Continuity::G0, Method::LeastSquares, Spacing::Chord, SpliceOptions::default()));
     let joint = EdgePair::along(Edge::UEnd, Edge::UEnd);
     let mut joined = splice(&spline(), &spline(), joint, &SpliceOptions::default()).unwrap();

@@ -34,6 +34,6 @@ pub use degree::{centred_powers, differentiate, elevate};
 pub(crate) use product::bilinear;
 pub use product::{bounds, dot, multiply};
 #[cfg(feature = "alloc")]
-pub use roots::{Root, roots};
+pub use roots::{Root, RootKind, roots};
 #[cfg(feature = "alloc")]
 pub(crate) use roots::{bracketed_root, changes_of_sign};

@@ -17,8 +17,20 @@ const DEPTH: u32 = 56;
 pub struct Root<S> {
     /// Where the zero is.
     pub x: S,
-    /// Whether the polynomial has different signs on both sides; `false` at the ends of the interval.
-    pub crosses: bool,
+    /// What the polynomial does there.
+    pub kind: RootKind,
+}
+
+/// What a polynomial does at one of its zeros.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum RootKind {
+    /// It has different signs on both sides.
+    Crossing,
+    /// It has the same sign on both sides.
+    Contact,
+    /// The interval ends there.
+    End,
 }
 
 /// The zeros on `[0, 1]`, in increasing order.
@@ -30,12 +42,12 @@ pub struct Root<S> {
 /// coefficient is not finite.
 ///
 /// ```
-/// use basis_runtime::bernstein::roots;
+/// use basis_runtime::bernstein::{RootKind, roots};
 ///
 /// let p = [2.0_f64, -3.0, 2.0]; // 10 x² - 10 x + 2
 /// let [a, b] = roots(&p).try_into().unwrap();
 /// assert!((a.x - 0.276393202250021).abs() < 1e-15 && (b.x - 0.723606797749979).abs() < 1e-15);
-/// assert!(a.crosses && b.crosses);
+/// assert_eq!([a.kind, b.kind], [RootKind::Crossing; 2]);
 /// ```
 pub fn roots<S: Scalar>(coefficients: &[S]) -> Vec<Root<S>> {
     let finite = coefficients.iter().all(|c| c.is_finite());
@@ -110,18 +122,23 @@ fn multiple<S: Scalar>(coefficients: &[S], [from, to]: [S; 2], mut noise: S) -> 
     None
 }
 
-/// Marks at which zeros the sign changes, from the values between them.
+/// Says at which zeros the sign changes, from the values between them.
 fn crossings<S: Scalar>(coefficients: &[S], zeros: &[S]) -> Vec<Root<S>> {
     let between = |a: S, b: S| eval(coefficients, a + (b - a) * S::of(0.5));
     let before = |k: usize| if k == 0 { S::ZERO } else { zeros[k - 1] };
     let after = |k: usize| zeros.get(k + 1).copied().unwrap_or(S::ONE);
-    let inside = |x: S| x > S::ZERO && x < S::ONE;
     zeros
         .iter()
         .enumerate()
         .map(|(k, &x)| {
-            let crosses = inside(x) && (between(before(k), x) < S::ZERO) != (between(x, after(k)) < S::ZERO);
-            Root { x, crosses }
+            let kind = if x <= S::ZERO || x >= S::ONE {
+                RootKind::End
+            } else if (between(before(k), x) < S::ZERO) != (between(x, after(k)) < S::ZERO) {
+                RootKind::Crossing
+            } else {
+                RootKind::Contact
+            };
+            Root { x, kind }
         })
         .collect()
 }
@@ -300,6 +317,7 @@ fn nested<S: Scalar>(c: &[S], x: S) -> S {
 mod tests {
     use alloc::vec::Vec;
 
+    use super::RootKind::{self, Contact, Crossing, End};
     use super::{Root, roots};
     use crate::bernstein::multiply;
 
@@ -312,39 +330,43 @@ mod tests {
         })
     }
 
-    fn assert_roots(zeros: &[f64], expected: &[(f64, bool)], tolerance: f64) {
+    fn assert_roots(zeros: &[f64], expected: &[(f64, RootKind)], tolerance: f64) {
         let found = roots(&with_zeros(zeros));
         assert_eq!(found.len(), expected.len(), "{zeros:?}: {found:?}");
-        for (root, &(x, crosses)) in found.iter().zip(expected) {
+        for (root, &(x, kind)) in found.iter().zip(expected) {
             assert!((root.x - x).abs() <= tolerance, "{zeros:?}: {found:?}");
-            assert_eq!(root.crosses, crosses, "{zeros:?}: {found:?}");
+            assert_eq!(root.kind, kind, "{zeros:?}: {found:?}");
         }
     }
 
     #[test]
     fn simple_roots_to_the_last_digits() {
-        assert_roots(&[0.125, 0.3, 0.5, 0.9], &[(0.125, true), (0.3, true), (0.5, true), (0.9, true)], 1e-14);
+        assert_roots(
+            &[0.125, 0.3, 0.5, 0.9],
+            &[(0.125, Crossing), (0.3, Crossing), (0.5, Crossing), (0.9, Crossing)],
+            1e-14,
+        );
         assert_roots(&[-0.5, 1.5], &[], 0.0);
-        assert_roots(&[1e-9, 0.5], &[(1e-9, true), (0.5, true)], 1e-15);
+        assert_roots(&[1e-9, 0.5], &[(1e-9, Crossing), (0.5, Crossing)], 1e-15);
     }
 
     #[test]
     fn roots_at_the_ends() {
-        assert_roots(&[0.0, 0.0, 1.0], &[(0.0, false), (1.0, false)], 0.0);
-        assert_roots(&[0.0, 0.25, 1.0], &[(0.0, false), (0.25, true), (1.0, false)], 1e-15);
+        assert_roots(&[0.0, 0.0, 1.0], &[(0.0, End), (1.0, End)], 0.0);
+        assert_roots(&[0.0, 0.25, 1.0], &[(0.0, End), (0.25, Crossing), (1.0, End)], 1e-15);
     }
 
     #[test]
     fn multiple_roots_count_once() {
-        assert_roots(&[0.5, 0.5], &[(0.5, false)], 1e-15);
-        assert_roots(&[0.5, 0.5, 0.5], &[(0.5, true)], 1e-15);
-        assert_roots(&[0.25, 0.25, 0.25, 0.25, 0.75], &[(0.25, false), (0.75, true)], 1e-12);
+        assert_roots(&[0.5, 0.5], &[(0.5, Contact)], 1e-15);
+        assert_roots(&[0.5, 0.5, 0.5], &[(0.5, Crossing)], 1e-15);
+        assert_roots(&[0.25, 0.25, 0.25, 0.25, 0.75], &[(0.25, Contact), (0.75, Crossing)], 1e-12);
     }
 
     #[test]
     fn multiple_roots_to_the_last_digits() {
         let [root] = roots(&[25.0_f64, -35.0, 49.0]).try_into().unwrap(); // (5 - 12 x)²
-        assert!((root.x - 5.0 / 12.0).abs() < 1e-16 && !root.crosses);
+        assert!((root.x - 5.0 / 12.0).abs() < 1e-16 && root.kind == Contact);
         let single: [Root<f32>; 1] = roots(&[25.0_f32, -35.0, 49.0]).try_into().unwrap();
         assert!((single[0].x - 5.0 / 12.0).abs() < 6e-8);
         // (a (1 - x) - b x)² (c (1 - x) - d x), three times, so that all coefficients are whole numbers.
@@ -358,12 +380,12 @@ mod tests {
                 square[2] * c - 2.0 * square[1] * d,
                 -3.0 * square[2] * d,
             ];
-            let mut expected = [(a / (a + b), false), (c / (c + d), true)];
+            let mut expected = [(a / (a + b), Contact), (c / (c + d), Crossing)];
             expected.sort_by(|a, b| a.0.total_cmp(&b.0));
             let found = roots(&cubic);
             assert_eq!(found.len(), 2, "{cubic:?}: {found:?}");
-            for (root, (x, crosses)) in found.iter().zip(expected) {
-                assert!((root.x - x).abs() < 1e-15 && root.crosses == crosses, "{cubic:?}: {found:?}");
+            for (root, (x, kind)) in found.iter().zip(expected) {
+                assert!((root.x - x).abs() < 1e-15 && root.kind == kind, "{cubic:?}: {found:?}");
             }
         }
     }

@@ -7,7 +7,7 @@ use core::ops::Range;
 
 use super::functions::combine;
 use super::{KnotError, KnotVector, SplineError, slices};
-use crate::curve::{backwards, divisible, inside, nonempty};
+use crate::curve::{backwards, divisible, inside, nonempty, same_length};
 use crate::geometry::{possible, replace_first};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
@@ -201,7 +201,7 @@ impl<P: Point> BSplineCurve<P> {
         Ok(self.eval(t))
     }
 
-    /// The point at the parameter of the domain that is nearest to `t`.
+    /// The point `C(t)`, or the nearer end of the curve if `t` is outside of the domain; if `t` is NaN so is the point.
     pub fn eval_clamped(&self, t: P::Scalar) -> P {
         self.eval(self.knots.clamp(t))
     }
@@ -214,9 +214,7 @@ impl<P: Point> BSplineCurve<P> {
     /// # Errors
     /// [`CurveError::Length`] if the slices have different lengths.
     pub fn eval_into(&self, ts: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
-        if ts.len() != out.len() {
-            return Err(CurveError::Length { expected: ts.len(), found: out.len() });
-        }
+        same_length(ts, out)?;
         slices::eval(&self.knots, &self.points, ts, out);
         Ok(())
     }
@@ -361,6 +359,10 @@ impl<P: Point> ParametricCurve for BSplineCurve<P> {
     #[inline]
     fn eval(&self, t: P::Scalar) -> P {
         self.eval(t)
+    }
+
+    fn eval_into(&self, ts: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        self.eval_into(ts, out)
     }
 
     fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {

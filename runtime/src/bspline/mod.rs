@@ -73,8 +73,9 @@ pub use net::Net;
 pub use network::{FollowOptions, Followed, Network, NetworkError, Seam};
 pub use nurbs::{Homogeneous, NurbsCurve, NurbsSurface};
 pub use splice::{
-    Continuity, JointMeasure, Method, Splice, SpliceError, SpliceOptions, measure_joint, splice,
+    Continuity, EdgeKnots, JointMeasure, Method, SecondRow, Splice, SpliceError, SpliceOptions,
+    measure_joint, splice,
 };
 pub use surface::{BSplineSurface, BezierPatch};
 
-pub use crate::{Direction, Edge, EdgePair};
+pub use crate::{Direction, Edge, EdgePair, Orientation};

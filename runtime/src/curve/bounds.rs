@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::bernstein::{self, Root, roots};
+use crate::bernstein::{self, Root, RootKind, roots};
 use crate::domain::from_unit;
 use crate::vector::{largest_component, length, safe_unit, wedge};
 use crate::{Basis, Curve, CurveError, Point, Scalar};
@@ -25,7 +25,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let mut all: Vec<B::Scalar> = (0..P::DIM)
             .filter(|&d| !is_constant(points.as_ref(), d))
             .flat_map(|d| stationary(points.as_ref(), d))
-            .filter(|root| root.crosses)
+            .filter(|root| root.kind == RootKind::Crossing)
             .map(|root| from_unit(B::domain(), root.x))
             .collect();
         all.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
@@ -91,7 +91,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         if turn.iter().all(|c| c.abs() <= noise) {
             return Ok(Vec::new());
         }
-        let changes = roots(&turn).into_iter().filter(|root| root.crosses);
+        let changes = roots(&turn).into_iter().filter(|root| root.kind == RootKind::Crossing);
         Ok(changes.map(|root| from_unit(B::domain(), root.x)).collect())
     }
 }

@@ -41,6 +41,7 @@ pub(crate) use parts::{divisible, inside, nonempty};
 #[cfg(feature = "alloc")]
 pub use piecewise::PiecewiseCurve;
 pub use slices::Samples;
+pub(crate) use slices::same_length;
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]`.
 ///
@@ -141,7 +142,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         Ok(self.eval(t))
     }
 
-    /// The point `C(t)`, or the nearer end of the curve if `t` is outside of the domain. If `t` is NaN so is the point.
+    /// The point `C(t)`, or the nearer end of the curve if `t` is outside of the domain; if `t` is NaN so is the point.
     #[inline]
     pub fn eval_clamped(&self, t: B::Scalar) -> P {
         let [lo, hi] = B::domain();

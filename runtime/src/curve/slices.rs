@@ -126,7 +126,9 @@ fn sample<S: Scalar>(index: usize, count: usize) -> S {
     S::from_usize(index) / S::from_usize(count.saturating_sub(1).max(1))
 }
 
-fn same_length<S, P>(ts: &[S], out: &[P]) -> Result<(), CurveError> {
+/// # Errors
+/// [`CurveError::Length`] if the slices have different lengths.
+pub(crate) fn same_length<S, P>(ts: &[S], out: &[P]) -> Result<(), CurveError> {
     if ts.len() == out.len() {
         Ok(())
     } else {

@@ -60,6 +60,10 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for Curve<B, P> {
         self.samples(count)
     }
 
+    fn eval_into(&self, ts: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        self.eval_into(ts, out)
+    }
+
     #[inline]
     fn samples_into(&self, out: &mut [P]) {
         self.samples_into(out);

@@ -8,7 +8,7 @@ use super::convert::{back, clamped, corners_of, floor, in_the_plane, sample};
 use super::measure::{bounds, enclosed, flatten, length};
 use super::meetings::{meeting, surface_meeting};
 use super::{Closest, CurvePiece, Enclosed, Meeting, PlaneMeeting, SurfaceMeeting, closest, local, nearest};
-use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
+use crate::curve::{curvature, frenet, inside, rotation_minimizing, same_length, torsion};
 use crate::vector::{direction, distance, largest_component, recast};
 use crate::{
     BoundedSurface, Contact, CurveError, Frame, Joint, Nearest, Offset, Path, Point, Point3, Scalar,
@@ -120,9 +120,25 @@ pub trait ParametricCurve {
         Ok(self.eval(t))
     }
 
-    /// The point `C(t)`, or the nearer end of the curve if `t` is outside of the domain.
+    /// The point `C(t)`, or the nearer end of the curve if `t` is outside of the domain; if `t` is NaN so is the point.
     fn eval_clamped(&self, t: CurveScalar<Self>) -> Self::Point {
         self.eval(clamped(self.domain(), t))
+    }
+
+    /// The points `out[i] = C(ts[i])`.
+    ///
+    /// Curves over families and splines are evaluated in vector instructions: [`Curve`](crate::Curve),
+    /// [`RationalCurve`](crate::RationalCurve), [`SpannedCurve`](crate::SpannedCurve), and with the feature `bspline`
+    /// `BSplineCurve`. The results can differ from [`eval`](Self::eval) by rounding errors.
+    ///
+    /// # Errors
+    /// [`CurveError::Length`] if the slices have different lengths.
+    fn eval_into(&self, ts: &[CurveScalar<Self>], out: &mut [Self::Point]) -> Result<(), CurveError> {
+        same_length(ts, out)?;
+        for (point, &t) in out.iter_mut().zip(ts) {
+            *point = self.eval(t);
+        }
+        Ok(())
     }
 
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`.

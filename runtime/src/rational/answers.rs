@@ -50,6 +50,10 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> ParametricCurve for Rationa
         self.eval_checked(t)
     }
 
+    fn eval_into(&self, ts: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        self.eval_into(ts, out)
+    }
+
     fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
         let (mut numerator, mut weights) = (self.to_bernstein(), self.basis().denominator());
         derivatives_into(numerator.as_mut(), weights.as_mut(), &self.chart(), t, derivatives);

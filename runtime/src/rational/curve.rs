@@ -6,6 +6,7 @@ use super::series::{Room, Side, derivatives};
 use super::slices::RationalPoints;
 use super::{Chart, RationalBasis};
 use crate::basis::combination;
+use crate::curve::same_length;
 use crate::form::MOST_COMPONENTS;
 use crate::numeric::binomial::row;
 use crate::numeric::simd::{WORTHWHILE, dispatch};
@@ -144,14 +145,23 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
         out
     }
 
-    /// The points `out[i] = C(ts[i])`; what has no partner in the other slice is left alone.
+    /// The points `out[i] = C(ts[i])`.
     ///
     /// From 16 points on they are computed with the widest vector instructions of the processor, sines and exponentials
     /// included, for less than what one sine and cosine of the standard library costs. The ends stay exact. Results can differ
     /// from [`eval`](Self::eval) in the last digits.
-    pub fn eval_into(&self, ts: &[B::Scalar], out: &mut [P]) {
-        let len = ts.len().min(out.len());
-        let (ts, out) = (&ts[..len], &mut out[..len]);
+    ///
+    /// # Errors
+    /// [`CurveError::Length`] if the slices have different lengths.
+    pub fn eval_into(&self, ts: &[B::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        same_length(ts, out)?;
+        self.eval_same_length(ts, out);
+        Ok(())
+    }
+
+    /// The points `out[i] = C(ts[i])` of slices of one length.
+    pub(super) fn eval_same_length(&self, ts: &[B::Scalar], out: &mut [P]) {
+        let len = ts.len();
         if len < WORTHWHILE || P::DIM > MOST_COMPONENTS {
             for (out, &t) in out.iter_mut().zip(ts) {
                 *out = self.eval(t);

@@ -3,6 +3,7 @@
 use core::fmt::{self, Debug, Formatter};
 
 use super::{Chart, RationalBasis, RationalCurve};
+use crate::curve::same_length;
 use crate::{Array, CountError, CurveError, Point, Rounding, Scalar};
 
 /// A family of basis functions `b[0], …, b[LEN - 1]` on several neighbouring spans, with its shape parameters set to
@@ -220,19 +221,24 @@ impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> SpannedCurve<B, P> {
         self.span_at(t).1.eval_with_derivs(t)
     }
 
-    /// The points `out[i] = C(ts[i])`; what has no partner in the other slice is left alone.
+    /// The points `out[i] = C(ts[i])`.
     ///
     /// Parameters of one span that stand beside each other are evaluated together, as [`RationalCurve::eval_into`] does it.
-    pub fn eval_into(&self, ts: &[B::Scalar], out: &mut [P]) {
-        let len = ts.len().min(out.len());
+    ///
+    /// # Errors
+    /// [`CurveError::Length`] if the slices have different lengths.
+    pub fn eval_into(&self, ts: &[B::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        same_length(ts, out)?;
+        let len = ts.len();
         let mut done = 0;
         while done < len {
             let (index, span) = self.span_at(ts[done]);
             let same = |t: &B::Scalar| self.span_at(*t).0 == index;
             let count = ts[done..len].iter().take_while(|t| same(t)).count().max(1);
-            span.eval_into(&ts[done..done + count], &mut out[done..done + count]);
+            span.eval_same_length(&ts[done..done + count], &mut out[done..done + count]);
             done += count;
         }
+        Ok(())
     }
 
     /// The point at the lower end of the domain.

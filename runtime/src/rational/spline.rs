@@ -174,6 +174,10 @@ impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> ParametricCurve for SpannedC
         self.eval_checked(t)
     }
 
+    fn eval_into(&self, ts: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        self.eval_into(ts, out)
+    }
+
     fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
         self.span_at(t).1.derivatives_into(t, derivatives);
     }

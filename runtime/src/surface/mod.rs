@@ -26,7 +26,7 @@ mod triangle;
 pub use area::Area;
 pub use curvature::Curvature;
 pub use domain::SurfaceDomain;
-pub use edges::{Direction, Edge, EdgeContinuity, EdgePair, JoinError, edge_continuity};
+pub use edges::{Direction, Edge, EdgeContinuity, EdgePair, JoinError, Orientation, edge_continuity};
 #[cfg(feature = "geometry")]
 pub use isocurve::Isocurve;
 pub use parts::BezierPatchOf;

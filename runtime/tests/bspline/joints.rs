@@ -2,11 +2,12 @@
 //! attained but for one percent.
 
 use basis_runtime::bspline::{
-    BSplineSurface, Direction, Edge, EdgePair, KnotVector, Method, Net, SpliceOptions, measure_joint, splice,
+    BSplineSurface, Direction, Edge, EdgePair, KnotVector, Method, Net, Orientation, SpliceOptions,
+    measure_joint, splice,
 };
 use proptest::prelude::*;
 
-use crate::support::{P3, at_edge, cross, distance, dot, surface};
+use crate::support::{P3, at_edge, cross, distance, dot, edge, orientation, surface};
 
 /// The parameters of an edge as a part of its domain, from 0 to 1: those at which its polynomial may change.
 fn breakpoints(surface: &BSplineSurface<P3>, edge: Edge) -> Vec<f64> {
@@ -19,7 +20,7 @@ fn breakpoints(surface: &BSplineSurface<P3>, edge: Edge) -> Vec<f64> {
 /// The largest gap and angle from nothing but points and partial derivatives, at `count` parameters inside of each
 /// piece on which both surfaces are polynomial; and the least sine of the directions along and across an edge.
 fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: EdgePair, count: usize) -> [f64; 3] {
-    let turned = |part: f64| if joint.reversed { 1.0 - part } else { part };
+    let turned = |part: f64| if joint.orientation == Orientation::Opposite { 1.0 - part } else { part };
     let mut all = breakpoints(a, joint.first);
     all.extend(breakpoints(b, joint.second).into_iter().map(turned));
     all.sort_by(f64::total_cmp);
@@ -31,7 +32,7 @@ fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: EdgePair, coun
             let part = piece[0] + (piece[1] - piece[0]) * x;
             let (p, out, tangent) = at_edge(a, joint.first, part, 1.0);
             let (q, into, other) = at_edge(b, joint.second, turned(part), -1.0);
-            let other = other.map(|x| if joint.reversed { -x } else { x });
+            let other = other.map(|x| if joint.orientation == Orientation::Opposite { -x } else { x });
             gap = gap.max(distance(p, q));
             let (n, m) = (cross(out, tangent), cross(into, other));
             angle = angle.max(distance(cross(n, m), [0.0; 3]).atan2(dot(n, m)));
@@ -44,19 +45,15 @@ fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: EdgePair, coun
     [gap, angle, sine]
 }
 
-fn edge() -> impl Strategy<Value = Edge> {
-    (0..4_usize).prop_map(|i| Edge::ALL[i])
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     /// Of surfaces that have nothing to do with each other: all angles up to π.
     #[test]
     fn figures_of_any_surfaces_are_bounds(
-        a in surface(), b in surface(), edge in edge(), target in edge(), reversed in any::<bool>(),
+        a in surface(), b in surface(), edge in edge(), target in edge(), orientation in orientation(),
     ) {
-        let joint = EdgePair { first: edge, second: target, reversed };
+        let joint = EdgePair { first: edge, second: target, orientation };
         if let Ok(found) = measure_joint(&a, &b, joint) {
             let [gap, angle, sine] = sampled(&a, &b, joint, 200);
             prop_assert!(gap <= found.gap && angle <= found.angle + 1e-12 / sine, "{:?} {} {}", found, gap, angle);

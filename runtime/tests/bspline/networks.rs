@@ -103,10 +103,10 @@ fn turned_and_mirrored_patches() {
         plain[3].reversed(Direction::U).transposed(),
     ];
     let seams = vec![
-        Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::UStart], reversed: false },
-        Seam { patches: [0, 2], edges: [Edge::UEnd, Edge::UStart], reversed: true },
-        Seam { patches: [1, 3], edges: [Edge::VEnd, Edge::VEnd], reversed: false },
-        Seam { patches: [2, 3], edges: [Edge::VStart, Edge::UStart], reversed: true },
+        Seam { patches: [0, 1], edges: EdgePair::along(Edge::VEnd, Edge::UStart) },
+        Seam { patches: [0, 2], edges: EdgePair::against(Edge::UEnd, Edge::UStart) },
+        Seam { patches: [1, 3], edges: EdgePair::along(Edge::VEnd, Edge::VEnd) },
+        Seam { patches: [2, 3], edges: EdgePair::against(Edge::VStart, Edge::UStart) },
     ];
     let network = Network::new(turned, seams).unwrap();
     for seam in 0..4 {
@@ -131,7 +131,7 @@ fn ratios_that_vary_along_the_seam_are_kept_to_the_tolerance() {
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     let options = SpliceOptions::default().method(Method::LeastSquares).angle(2e-5);
     let left = splice(&left, &right, joint, &options).unwrap().surface;
-    let seam = Seam { patches: [0, 1], edges: [Edge::UEnd, Edge::UStart], reversed: false };
+    let seam = Seam { patches: [0, 1], edges: EdgePair::along(Edge::UEnd, Edge::UStart) };
     let network = Network::new(vec![left, right], vec![seam]).unwrap();
     let deformed = dented(&network.patches()[1], [0.1, 0.02, 0.0, 0.05, 0.0]);
     let found = network.follow(1, &deformed, &FollowOptions::default()).unwrap();
@@ -252,7 +252,7 @@ fn hexagon() -> Network<P3> {
         raised.iter().fold(surface, |surface, &direction| surface.elevate(direction).unwrap())
     };
     let seam =
-        |i: usize| Seam { patches: [i, (i + 1) % 3], edges: [Edge::UStart, Edge::VStart], reversed: false };
+        |i: usize| Seam { patches: [i, (i + 1) % 3], edges: EdgePair::along(Edge::UStart, Edge::VStart) };
     Network::new((0..3).map(quad).collect(), (0..3).map(seam).collect()).unwrap()
 }
 
@@ -283,7 +283,7 @@ fn pipe() -> BSplineSurface<P3> {
 
 #[test]
 fn a_patch_that_meets_itself() {
-    let seam = Seam { patches: [0, 0], edges: [Edge::UEnd, Edge::UStart], reversed: false };
+    let seam = Seam { patches: [0, 0], edges: EdgePair::along(Edge::UEnd, Edge::UStart) };
     let network = Network::new(vec![pipe()], vec![seam]).unwrap();
     let wider = pipe().map(|[x, y, z]| [x * (1.0 + 0.1 * z), y, z]);
     let found = network.follow(0, &wider, &FollowOptions::default()).unwrap();
@@ -305,9 +305,9 @@ fn what_is_refused() {
         Network::<P3>::grid(Vec::new(), 0).unwrap_err(),
         NetworkError::Grid { patches: 0, columns: 0 }
     );
-    let seam = Seam { patches: [0, 9], edges: [Edge::UEnd, Edge::UStart], reversed: false };
+    let seam = Seam { patches: [0, 9], edges: EdgePair::along(Edge::UEnd, Edge::UStart) };
     assert_eq!(Network::new(all.clone(), vec![seam]).unwrap_err(), NetworkError::Patch { patch: 9 });
-    let seam = Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::VStart], reversed: false };
+    let seam = Seam { patches: [0, 1], edges: EdgePair::along(Edge::VEnd, Edge::VStart) };
     let error = Network::new(all.clone(), vec![seam, seam]).unwrap_err();
     assert_eq!(error, NetworkError::EdgeTwice { seam: 1 });
 

@@ -1,15 +1,15 @@
 //! Splicing: all edges, orientations and methods; tolerances measured independently; what is refused.
 
 use basis_runtime::bspline::{
-    BSplineSurface, Continuity, Direction, Edge, EdgePair, KnotVector, Method, Net, SpliceError,
-    SpliceOptions, measure_joint, splice,
+    BSplineSurface, Continuity, Direction, Edge, EdgeKnots, EdgePair, KnotVector, Method, Net, Orientation,
+    SecondRow, SpliceError, SpliceOptions, measure_joint, splice,
 };
 use basis_runtime::edge_continuity;
 use proptest::prelude::*;
 
 #[cfg(feature = "nalgebra")]
 use crate::golden::{assert_near, golden, knots, points};
-use crate::support::{P3, at_edge, cross, distance, dot, surface};
+use crate::support::{P3, at_edge, cross, distance, dot, edge, orientation, surface};
 #[cfg(feature = "nalgebra")]
 use serde_json::Value;
 
@@ -19,7 +19,7 @@ fn methods() -> Vec<SpliceOptions> {
     let options = SpliceOptions::default();
     vec![
         #[cfg(feature = "nalgebra")]
-        options.method(Method::Midpoints).angle(2e-3).spans(60).without_merging(),
+        options.method(Method::Midpoints).angle(2e-3).spans(60).edge_knots(EdgeKnots::Own),
         options.method(Method::LeastSquares),
         options.method(Method::Exact),
     ]
@@ -35,9 +35,9 @@ fn independent(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: EdgePair) 
     for i in 0..1000 {
         let part = (f64::from(i) + 0.5) / 1000.0;
         let (p, out, tangent) = at_edge(a, joint.first, part, 1.0);
-        let other = if joint.reversed { 1.0 - part } else { part };
+        let other = if joint.orientation == Orientation::Opposite { 1.0 - part } else { part };
         let (q, into, other) = at_edge(b, joint.second, other, -1.0);
-        let other = other.map(|x| if joint.reversed { -x } else { x });
+        let other = other.map(|x| if joint.orientation == Orientation::Opposite { -x } else { x });
         gap = gap.max(distance(p, q));
         let (n, m) = (cross(out, tangent), cross(into, other));
         angle = angle.max(distance(cross(n, m), [0.0; 3]).atan2(dot(n, m)));
@@ -97,7 +97,7 @@ fn every_edge_in_both_directions_by_every_method() {
                     let a = turned(&left, Edge::UEnd, edge, flips % 2 == 1);
                     let b = turned(&right, Edge::UStart, target, flips >= 2);
                     let joint = EdgePair::nearest(&a, edge, &b, target);
-                    assert_eq!(joint.reversed, flips == 1 || flips == 2);
+                    assert_eq!(joint.orientation == Orientation::Opposite, flips == 1 || flips == 2);
                     let found = splice(&a, &b, joint, &options).unwrap();
                     let (gap, angle) = independent(&found.surface, &b, joint);
                     assert!(gap <= options.gap && angle <= options.angle, "{options:?} {gap} {angle}");
@@ -135,8 +135,8 @@ fn the_published_method_solves_its_programmes() {
             .method(Method::Midpoints)
             .gap(1e3)
             .angle(1e3)
-            .without_carrying()
-            .without_merging();
+            .second_row(SecondRow::Kept)
+            .edge_knots(EdgeKnots::Own);
         let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
         let found = splice(&surface, &target, joint, &options).unwrap();
         assert_eq!(found.rounds, 1);
@@ -188,9 +188,9 @@ fn ends_do_not_hinder_least_squares_over_own_knots() {
         [1.0 + u + 0.08 * (5.0 * v).sin(), v + 0.05 * u * v, z]
     });
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
-    for (carry, spans) in [(false, 100), (true, 40)] {
-        let options = SpliceOptions::default().method(Method::LeastSquares).without_merging().spans(spans);
-        let options = if carry { options } else { options.without_carrying() };
+    for (second_row, spans) in [(SecondRow::Kept, 100), (SecondRow::Carried, 40)] {
+        let options = SpliceOptions::default().method(Method::LeastSquares).edge_knots(EdgeKnots::Own);
+        let options = options.second_row(second_row).spans(spans);
         let found = splice(&left, &right, joint, &options).unwrap();
         let (gap, angle) = independent(&found.surface, &right, joint);
         assert!(gap <= options.gap && angle <= options.angle);
@@ -254,7 +254,7 @@ fn the_change_is_how_far_the_rows_moved() {
         let options = SpliceOptions::default().method(method).continuity(Continuity::G0);
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!((found.change - 0.25).abs() < 1e-14);
-        let options = options.method(method).without_carrying();
+        let options = options.method(method).second_row(SecondRow::Kept);
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!((found.change - 0.25).abs() < 1e-14);
     }
@@ -389,10 +389,6 @@ fn what_is_refused() {
     }
 }
 
-fn edge() -> impl Strategy<Value = Edge> {
-    (0..4_usize).prop_map(|i| Edge::ALL[i])
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
@@ -416,9 +412,9 @@ proptest! {
 
     #[test]
     fn any_surfaces_are_joined_or_refused(
-        left in surface(), right in surface(), edge in edge(), target in edge(), reversed in any::<bool>(),
+        left in surface(), right in surface(), edge in edge(), target in edge(), orientation in orientation(),
     ) {
-        let joint = EdgePair { first: edge, second: target, reversed };
+        let joint = EdgePair { first: edge, second: target, orientation };
         for options in methods() {
             let options = options.spans(30);
             match splice(&left, &right, joint, &options) {

@@ -1,6 +1,6 @@
 //! Random knot vectors, curves and surfaces; distances.
 
-use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Direction, Edge, KnotVector, Net};
+use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Direction, Edge, KnotVector, Net, Orientation};
 use proptest::prelude::*;
 
 pub(crate) type P3 = [f64; 3];
@@ -96,4 +96,12 @@ pub(crate) fn at_edge(surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign:
     // Away from the surface at its upper end, into it at the lower one; `sign` says which is wanted.
     let sign = if edge.is_end() { sign } else { -sign };
     (surface.eval(u, v), out.map(|x| x * sign), tangent)
+}
+
+pub(crate) fn edge() -> impl Strategy<Value = Edge> {
+    (0..4_usize).prop_map(|i| Edge::ALL[i])
+}
+
+pub(crate) fn orientation() -> impl Strategy<Value = Orientation> {
+    prop_oneof![Just(Orientation::Same), Just(Orientation::Opposite)]
 }

@@ -33,6 +33,8 @@ fn ask(curve: &dyn ParametricCurve<Point = [f64; 2]>, a: f64, b: f64) {
     let _ = (curve.curvature(a), curve.control_box(), curve.eval_clamped(a), curve.derivative(a, 9));
     assert_eq!(curve.eval_checked(a).is_ok(), (lo..=hi).contains(&a));
     assert_eq!(curve.samples_by_arclen(4, a).len(), 4);
+    let mut points = [[0.0; 2]; 2];
+    assert!(curve.eval_into(&[lo, a], &mut points).is_ok() && curve.eval_into(&[a], &mut points).is_err());
 }
 
 #[test]

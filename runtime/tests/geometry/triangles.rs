@@ -1,9 +1,9 @@
 //! Surfaces over triangles and patches on boxes answer what all surfaces do.
 
 use basis_runtime::{
-    Bezier, BoundedSurface, CurveError, Direction, Edge, EdgePair, Isocurve, MeetingKind, ParametricCurve,
-    Surface, SurfaceDomain, SurfacePiece, Tessellation, TriangleEdge, TriangleIndex, TriangularBezier,
-    edge_continuity,
+    Bezier, BoundedSurface, CurveError, Direction, Edge, EdgePair, Isocurve, MeetingKind, Orientation,
+    ParametricCurve, Surface, SurfaceDomain, SurfacePiece, Tessellation, TriangleEdge, TriangleIndex,
+    TriangularBezier, edge_continuity,
 };
 
 use crate::queries::distance;
@@ -257,10 +257,10 @@ fn are_meshed_with_other_surfaces() {
     // Smooth across the diagonal, and from the triangle to the rectangle.
     let diagonal = EdgePair::nearest(&lower, Edge::VEnd, &upper, Edge::VEnd);
     let joint = edge_continuity(&lower, &upper, diagonal, 17);
-    assert!(joint.order(1e-14, 1e-7, 1e-12) == Some(2) && joint.same_side, "{joint:?}");
+    assert!(joint.order(1e-14, 1e-7, 1e-12) == Some(2) && joint.normals == Orientation::Same, "{joint:?}");
     let side = EdgePair::nearest(&upper, Edge::UStart, &beside, Edge::UStart);
     let joint = edge_continuity(&upper, &beside, side, 17);
-    assert!(joint.order(1e-14, 1e-7, 1e-12) == Some(2) && joint.same_side, "{joint:?}");
+    assert!(joint.order(1e-14, 1e-7, 1e-12) == Some(2) && joint.normals == Orientation::Same, "{joint:?}");
     assert_eq!(joint.without_normal, 0);
 
     let mesh = Tessellation::new(1e-4).unwrap().with(&lower).with(&upper).with(&beside).mesh().unwrap();

@@ -102,7 +102,7 @@ macro_rules! ask_curve {
         let (space, plane) = ($space, $plane);
         let line = Bezier::from_points([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]]);
         let mut names = ask! { space =>
-            domain(); eval(0.3); eval_checked(0.3); eval_clamped(0.3); start(); end();
+            domain(); eval(0.3); eval_checked(0.3); eval_clamped(0.3); eval_into(&[0.3], &mut [[0.0; 3]; 1]); start(); end();
             samples_into(&mut [[0.0; 3]; 4]); derivative(0.3, 1); derivatives_into(0.3, &mut [[0.0; 3]; 2]);
             tangent(0.3); curvature(0.3); torsion(0.3); frenet_frame(0.3); rotation_minimizing_frames(3, None);
             arclen(1e-3); inv_arclen(0.5, 1e-3); arclen_parameters(3, 1e-3); samples_by_arclen(3, 1e-3);

@@ -2,7 +2,7 @@
 
 use basis_runtime::{
     Basis as _, BernsteinBasis, BernsteinForm, Bezier, Contact, Curve, EndpointForm, Form as _,
-    PiecewiseCurve, basis,
+    ParametricCurve as _, PiecewiseCurve, basis,
 };
 
 use crate::{Case, NUMBERS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
@@ -186,14 +186,11 @@ const PIECEWISE: &[Case<Piecewise>] = &[
         c.push(c.segments()[0]);
         c.segments().len() == 3
     }),
-    ("push_after", |c, a, b| {
-        let mut c = c.clone();
-        let added = c.push_after(
-            QuarticBernstein::new(0.0).unwrap(),
-            Contact::Curvature { f: a, c: b },
-            [[1.0; 3]; 4],
-        );
-        c.segments().len() == 2 + usize::from(added.is_ok())
+    ("continued", |c, a, b| {
+        let contact = Contact::Curvature { f: a, c: b };
+        let draft = Quartic::new(QuarticBernstein::new(0.0).unwrap(), [[1.0; 3]; 4]);
+        let next = c.continued(contact, &Piecewise::from(draft));
+        next.map_or(true, |next| next.segments()[0].control_points().iter().all(|&p| is_finite(p)))
     }),
     ("append", |c, _, _| {
         let mut twice = c.clone();

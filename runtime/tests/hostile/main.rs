@@ -15,6 +15,7 @@ mod surfaces;
 
 use core::fmt::Debug;
 
+use basis_runtime::{Edge, EdgePair};
 use basis_test_support::all_cases;
 
 /// A function by its name, and a call that says whether the answer is one that the documentation allows.
@@ -41,6 +42,10 @@ const NUMBERS: [f64; 16] = [
 ];
 
 type P = [f64; 3];
+
+fn pair(first: Edge, second: Edge, opposite: bool) -> EdgePair {
+    if opposite { EdgePair::against(first, second) } else { EdgePair::along(first, second) }
+}
 
 /// The kinds of nets, of points in space with the number `i`.
 const NETS: [fn(usize) -> P; 17] = [

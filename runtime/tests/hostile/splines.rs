@@ -2,14 +2,14 @@
 //! the type.
 
 use basis_runtime::bspline::{
-    BSplineCurve, BSplineSurface, Direction, Edge, EdgePair, FollowOptions, Homogeneous, KnotVector, Method,
-    Net, Network, NurbsCurve, NurbsSurface, PointConstraint, Spacing, SpliceOptions, measure_joint,
-    parameters, splice,
+    BSplineCurve, BSplineSurface, Direction, Edge, EdgeKnots, EdgePair, FollowOptions, Homogeneous,
+    KnotVector, Method, Net, Network, NurbsCurve, NurbsSurface, PointConstraint, SecondRow, Spacing,
+    SpliceOptions, measure_joint, parameters, splice,
 };
 
 use basis_runtime::{ParametricCurve, Surface};
 
-use crate::{Case, P, check, is_finite, is_length, is_nan};
+use crate::{Case, P, check, is_finite, is_length, is_nan, pair};
 
 type C = BSplineCurve<P>;
 type S = BSplineSurface<P>;
@@ -357,26 +357,26 @@ const SURFACE: &[Case<S>] = &[
     ("EdgePair::nearest", |s, _, _| EdgePair::nearest(s, Edge::UEnd, s, Edge::VStart).second == Edge::VStart),
     ("measure_joint", |s, a, b| {
         let [edge, target] = [a, b].map(|x| if x > 0.0 { Edge::UEnd } else { Edge::VStart });
-        let joint = EdgePair { first: edge, second: target, reversed: a > b };
+        let joint = pair(edge, target, a > b);
         measure_joint(s, s, joint).map_or(true, |m| m.gap >= 0.0 && (0.0..=3.2).contains(&m.angle))
     }),
     ("splice", |s, a, b| {
-        let joint = EdgePair { first: Edge::UEnd, second: Edge::VStart, reversed: b > 0.0 };
+        let joint = pair(Edge::UEnd, Edge::VStart, b > 0.0);
         [Method::LeastSquares, Method::Exact].into_iter().all(|method| {
             let options = SpliceOptions::default().method(method).gap(a).angle(b).spans(6);
             splice(s, s, joint, &options)
                 .map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
         })
     }),
-    ("SpliceOptions::without_carrying", |s, a, b| {
-        let joint = EdgePair { first: Edge::UEnd, second: Edge::VStart, reversed: a > 0.0 };
-        let options = SpliceOptions::default().method(Method::LeastSquares).without_carrying();
+    ("SpliceOptions::second_row", |s, a, b| {
+        let joint = pair(Edge::UEnd, Edge::VStart, a > 0.0);
+        let options = SpliceOptions::default().method(Method::LeastSquares).second_row(SecondRow::Kept);
         let options = options.gap(a).angle(b).spans(6);
         splice(s, s, joint, &options).map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
     }),
-    ("SpliceOptions::without_merging", |s, a, b| {
-        let joint = EdgePair { first: Edge::UEnd, second: Edge::VStart, reversed: a > 0.0 };
-        let options = SpliceOptions::default().method(Method::LeastSquares).without_merging();
+    ("SpliceOptions::edge_knots", |s, a, b| {
+        let joint = pair(Edge::UEnd, Edge::VStart, a > 0.0);
+        let options = SpliceOptions::default().method(Method::LeastSquares).edge_knots(EdgeKnots::Own);
         let options = options.gap(a).angle(b).spans(6);
         splice(s, s, joint, &options).map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
     }),

@@ -1,12 +1,12 @@
 //! Tensor surfaces, rational surfaces, surfaces of revolution, and their meshes.
 
 use basis_runtime::{
-    BoundedSurface, Contact, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, ParametricCurve,
+    BoundedSurface, Contact, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, Orientation, ParametricCurve,
     RationalSurface, Surface, SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation,
     Vertex, basis, edge_continuity, half_turn_parameter,
 };
 
-use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
+use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit, pair};
 
 basis!("../../../specs/quartic.basis");
 
@@ -154,18 +154,17 @@ const TENSOR: &[Case<Tensor>] = &[
     ("edge_continuity", |s, a, b| {
         a != 0.0
             || [0, 1, 2, 5].into_iter().all(|samples| {
-                let joint = edge_continuity(
-                    s,
-                    s,
-                    EdgePair { first: Edge::UEnd, second: Edge::VStart, reversed: b > 0.0 },
-                    samples,
-                );
+                let joint = edge_continuity(s, s, pair(Edge::UEnd, Edge::VStart, b > 0.0), samples);
                 is_length(joint.gap) && is_length(joint.angle) && is_length(joint.curvature)
             })
     }),
     ("against", |s, _, _| {
         let pair = EdgePair::against(Edge::UEnd, Edge::VStart);
-        pair.reversed && is_length(edge_continuity(s, s, pair, 3).gap)
+        pair.orientation == Orientation::Opposite && is_length(edge_continuity(s, s, pair, 3).gap)
+    }),
+    ("swapped", |_, a, b| {
+        let joint = pair(Edge::UEnd, Edge::VStart, a > b);
+        joint.swapped() == pair(Edge::VStart, Edge::UEnd, a > b)
     }),
     ("order", |s, a, b| {
         edge_continuity(s, s, EdgePair::along(Edge::UEnd, Edge::UStart), 2)

@@ -2,7 +2,8 @@
 //! curves and surfaces, which know nothing of the formulas.
 
 use basis_runtime::{
-    Contact, Curve, CurveError, Edge, EdgeContinuity, EdgePair, TensorSurface, basis, edge_continuity,
+    Contact, Curve, CurveError, Edge, EdgeContinuity, EdgePair, Orientation, TensorSurface, basis,
+    edge_continuity,
 };
 use basis_tests::random::Random;
 
@@ -199,9 +200,9 @@ fn surface(
 }
 
 /// The order of contact and whether the normals point to the same side.
-fn measured(joint: EdgeContinuity<f64>) -> (Option<usize>, bool) {
+fn measured(joint: EdgeContinuity<f64>) -> (Option<usize>, Orientation) {
     assert_eq!(joint.without_normal, 0);
-    (joint.order(1e-13, 1e-11, 1e-9), joint.same_side)
+    (joint.order(1e-13, 1e-11, 1e-9), joint.normals)
 }
 
 #[test]
@@ -219,7 +220,7 @@ fn surfaces_join_u_u() {
         }
         let next = surface(lambda, g2, &t);
         let joint = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
-        assert_eq!(measured(joint), (Some(1), true), "{joint:?}");
+        assert_eq!(measured(joint), (Some(1), Orientation::Same), "{joint:?}");
         // The published steps: everything but the last column.
         let steps =
             quartic_surface::g2_uu(&s, quartic_surface::G2UuScalars { gamma1: g1, gamma2: g2, f }).unwrap();
@@ -228,7 +229,7 @@ fn surfaces_join_u_u() {
         }
         let next = surface(lambda, g2, &t);
         let joint = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
-        assert_eq!(measured(joint), (Some(2), true), "{joint:?}");
+        assert_eq!(measured(joint), (Some(2), Orientation::Same), "{joint:?}");
     }
 }
 
@@ -246,14 +247,14 @@ fn surfaces_join_u_v_with_opposite_normals() {
         );
         let joint =
             edge_continuity(&first, &surface(l2, gamma, &t), EdgePair::along(Edge::VEnd, Edge::UStart), 33);
-        assert_eq!(measured(joint), (Some(1), false), "{joint:?}");
+        assert_eq!(measured(joint), (Some(1), Orientation::Opposite), "{joint:?}");
         let gamma = [l1, l1, l1, random.between(-2.5, 1.0)];
         t[..3].copy_from_slice(
             &quartic_surface::g2_uv(&s, quartic_surface::G2UvScalars { gamma1: g1, lambda2: l2, f }).unwrap(),
         );
         let joint =
             edge_continuity(&first, &surface(l2, gamma, &t), EdgePair::along(Edge::VEnd, Edge::UStart), 33);
-        assert_eq!(measured(joint), (Some(2), false), "{joint:?}");
+        assert_eq!(measured(joint), (Some(2), Orientation::Opposite), "{joint:?}");
     }
 }
 
@@ -272,14 +273,14 @@ fn surfaces_join_v_v() {
         );
         let next = surface(l2, [eta, eta, other, other], &t);
         let joint = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
-        assert_eq!(measured(joint), (Some(1), true), "{joint:?}");
+        assert_eq!(measured(joint), (Some(1), Orientation::Same), "{joint:?}");
         t[..3].copy_from_slice(
             &quartic_surface::g2_vv(&s, quartic_surface::G2VvScalars { lambda1: l1, lambda2: l2, f })
                 .unwrap(),
         );
         let next = surface(l2, [eta, eta, eta, other], &t);
         let joint = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
-        assert_eq!(measured(joint), (Some(2), true), "{joint:?}");
+        assert_eq!(measured(joint), (Some(2), Orientation::Same), "{joint:?}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! Generated types, curves and what is measured of them are written and read with serde.
 
-use basis_runtime::{Bezier, Contact, Curve, PiecewiseCurve, basis};
+use basis_runtime::{Bezier, Contact, Curve, ParametricCurve, PiecewiseCurve, basis};
 
 basis!("../../../specs/quartic.basis");
 basis!("../../../specs/bernstein.basis", Bernstein(3));
@@ -55,7 +55,8 @@ fn curves() {
 #[test]
 fn curves_of_several_segments() {
     let mut curve = PiecewiseCurve::from(quartic());
-    curve.push_after(QuarticBernstein::new(-1.0).unwrap(), Contact::Tangent { f: 0.75 }, POINTS).unwrap();
+    let draft = PiecewiseCurve::from(Curve::new(QuarticBernstein::new(-1.0).unwrap(), POINTS));
+    curve.append(&curve.continued(Contact::Tangent { f: 0.75 }, &draft).unwrap());
     let text = serde_json::to_string(&curve).unwrap();
     assert_eq!(serde_json::from_str::<PiecewiseCurve<QuarticBernstein, [f64; 2]>>(&text).unwrap(), curve);
     assert!(serde_json::from_str::<PiecewiseCurve<QuarticBernstein, [f64; 2]>>("[]").is_err());

@@ -144,12 +144,11 @@ fn strips<P: Point3>(
     side: usize,
     follower: &BSplineSurface<P>,
 ) -> Result<Leader, NetworkError> {
-    let described = &network.seams[seam];
-    let (leader, edge) = (described.patches[1 - side], described.edges[1 - side]);
-    let knots = follower.knots(along(described.edges[side])).to_f64();
+    let (leader, joint) = (network.seams[seam].patches[1 - side], network.seams[seam].joint(side));
+    let knots = follower.knots(along(joint.first)).to_f64();
     let strip = |patch: &BSplineSurface<P>| {
-        let strip = Strip::new(&patch.clamped(), edge)?;
-        strip.mapped::<P::Scalar>(knots.domain(), described.reversed, &knots)
+        let strip = Strip::new(&patch.clamped(), joint.second)?;
+        strip.mapped::<P::Scalar>(knots.domain(), joint.orientation, &knots)
     };
     let wrong = |error| NetworkError::Seam { seam, error };
     let old = strip(&network.patches[leader]).map_err(wrong)?;
@@ -189,7 +188,7 @@ fn adjust<P: Point3>(
         }
     }
     for &(seam, side) in seams {
-        let direction = along(network.seams[seam].edges[side]);
+        let direction = along(network.seams[seam].joint(side).first);
         let leader = strips(network, round, seam, side, &patch)?;
         let degree = leader.new.knots.degree().max(leader.old.knots.degree());
         while patch.knots(direction).degree() < degree {
@@ -215,7 +214,7 @@ fn adjust<P: Point3>(
     let mut changes: Vec<Option<(Vector, usize)>> = vec![None; patch.net().as_slice().len()];
     let mut overlaps: Vec<Overlap> = Vec::new();
     for &(seam, side) in seams {
-        let edge = network.seams[seam].edges[side];
+        let edge = network.seams[seam].joint(side).first;
         let seam_error = |error| NetworkError::Seam { seam, error };
         let leader = strips(network, round, seam, side, &patch)?;
         let strip = Strip::new(&patch, edge).map_err(seam_error)?;
@@ -282,14 +281,16 @@ fn figures<P: Point3>(network: &Network<P>, round: &Round<P>) -> Result<Figures,
         }
         // From the side that followed, whose spans are divided.
         let side = round.followed[index].unwrap_or(0);
+        let joint = seam.joint(side);
         let patch = |side: usize| {
             let patch = seam.patches[side];
             round.patches[patch].as_ref().unwrap_or(&network.patches[patch]).clamped()
         };
-        let strip = Strip::new(&patch(side), seam.edges[side]).map_err(wrong)?;
-        let other = Strip::new(&patch(1 - side), seam.edges[1 - side]).map_err(wrong)?;
-        let other =
-            other.mapped::<P::Scalar>(strip.knots.domain(), seam.reversed, &strip.knots).map_err(wrong)?;
+        let strip = Strip::new(&patch(side), joint.first).map_err(wrong)?;
+        let other = Strip::new(&patch(1 - side), joint.second).map_err(wrong)?;
+        let other = other
+            .mapped::<P::Scalar>(strip.knots.domain(), joint.orientation, &strip.knots)
+            .map_err(wrong)?;
         let (measured, pieces) = measure(&strip, &other, Continuity::G1).map_err(wrong)?;
         all.push((index, measured, pieces));
     }
@@ -308,7 +309,7 @@ fn refine<P: Point3>(
     for (seam, _, pieces) in figures {
         let Some(side) = round.followed[*seam] else { continue };
         let described = &network.seams[*seam];
-        let (follower, direction) = (described.patches[side], along(described.edges[side]));
+        let (follower, direction) = (described.patches[side], along(described.joint(side).first));
         let Some(patch) = &round.patches[follower] else { continue };
         let knots = patch.knots(direction).to_f64();
         let new = middles::<P::Scalar>(&knots, pieces, AIM * options.gap, AIM * options.angle);
@@ -360,7 +361,7 @@ fn is_next_to<P: Point3>(
 ) -> bool {
     let edge = |index: usize| {
         let seam = &network.seams[index];
-        seam.edges[usize::from(round.followed[index] == Some(1))]
+        seam.joint(usize::from(round.followed[index] == Some(1))).first
     };
     let other = match overlap.seams {
         [a, b] if a == seam => b,

@@ -20,16 +20,14 @@ use crate::{Point, Point3};
 pub struct Seam {
     /// The patches, by their index in the network; they may be the same one, closed to a ring.
     pub patches: [usize; 2],
-    /// The edge of each.
-    pub edges: [Edge; 2],
-    /// Whether the parameters along the two edges run in opposite directions.
-    pub reversed: bool,
+    /// The edge of each, and how their parameters run.
+    pub edges: EdgePair,
 }
 
 impl Seam {
     /// The seam as seen from one of its patches, which is to be adjusted.
     fn joint(&self, side: usize) -> EdgePair {
-        EdgePair { first: self.edges[side], second: self.edges[1 - side], reversed: self.reversed }
+        if side == 0 { self.edges } else { self.edges.swapped() }
     }
 }
 
@@ -98,7 +96,7 @@ impl<P: Point3> Network<P> {
     pub fn new(patches: Vec<BSplineSurface<P>>, seams: Vec<Seam>) -> Result<Self, NetworkError> {
         let mut taken = vec![[false; 4]; patches.len()];
         for (index, seam) in seams.iter().enumerate() {
-            for (&patch, &edge) in seam.patches.iter().zip(&seam.edges) {
+            for (&patch, &edge) in seam.patches.iter().zip([&seam.edges.first, &seam.edges.second]) {
                 let edges = taken.get_mut(patch).ok_or(NetworkError::Patch { patch })?;
                 let place = Edge::ALL.iter().position(|&other| other == edge).unwrap_or(0); // it is one of them
                 if core::mem::replace(&mut edges[place], true) {
@@ -121,14 +119,14 @@ impl<P: Point3> Network<P> {
         }
         let mut seams = Vec::new();
         for patch in 0..count {
-            let mut join = |next: usize, edges: [Edge; 2]| {
-                seams.push(Seam { patches: [patch, next], edges, reversed: false });
+            let mut join = |next: usize, first: Edge, second: Edge| {
+                seams.push(Seam { patches: [patch, next], edges: EdgePair::along(first, second) });
             };
             if patch + columns < count {
-                join(patch + columns, [Edge::UEnd, Edge::UStart]);
+                join(patch + columns, Edge::UEnd, Edge::UStart);
             }
             if !(patch + 1).is_multiple_of(columns) {
-                join(patch + 1, [Edge::VEnd, Edge::VStart]);
+                join(patch + 1, Edge::VEnd, Edge::VStart);
             }
         }
         Self::new(patches, seams)
@@ -149,11 +147,10 @@ impl<P: Point3> Network<P> {
     /// # Errors
     /// [`NetworkError::NoSeam`], or [`NetworkError::Seam`] if it cannot be measured.
     pub fn measure(&self, seam: usize) -> Result<JointMeasure, NetworkError> {
-        let Some(&Seam { patches: [a, b], .. }) = self.seams.get(seam) else {
+        let Some(&Seam { patches: [a, b], edges }) = self.seams.get(seam) else {
             return Err(NetworkError::NoSeam { seam });
         };
-        let joint = self.seams[seam].joint(0);
-        measure_joint(&self.patches[a], &self.patches[b], joint)
+        measure_joint(&self.patches[a], &self.patches[b], edges)
             .map_err(|error| NetworkError::Seam { seam, error })
     }
 

@@ -77,6 +77,26 @@ pub enum Method {
     Exact,
 }
 
+/// What the second row of control points does before it is corrected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum SecondRow {
+    /// It gets the same change as the edge.
+    Carried,
+    /// It stays as it is. The surface is then bent near its edge, and many more spans are needed.
+    Kept,
+}
+
+/// The degree and the knots along the edge to which those for the sake of the tolerances are added.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum EdgeKnots {
+    /// The degree is raised to that of the target and its knots are inserted, so that the edge is met exactly.
+    Merged,
+    /// They are those of the surface.
+    Own,
+}
+
 /// What a splice is to reach, and how: the defaults, and what is set otherwise.
 ///
 /// ```
@@ -100,16 +120,15 @@ pub struct SpliceOptions {
     /// The most spans along the edge to which knots are inserted for the sake of the tolerances. Those that merging
     /// needs are inserted in any case.
     pub spans: usize,
-    /// Whether the second row gets the same change as the edge before it is corrected. Without it the surface is bent
-    /// near its edge, and many more spans are needed.
-    pub carry: bool,
-    /// Whether the degree along the edge is raised to that of the target and its knots are inserted first, so that the
-    /// edge is met exactly. [`Method::Exact`] does so in any case.
-    pub merge: bool,
+    /// What the second row of control points does before it is corrected.
+    pub second_row: SecondRow,
+    /// The degree and the knots along the edge to begin with; [`Method::Exact`] merges them in any case.
+    pub edge_knots: EdgeKnots,
 }
 
 impl Default for SpliceOptions {
-    /// The exact method, G1, gap 1e-5, angle 1e-4, at most 400 spans; for the other methods carry and merged knots.
+    /// The exact method, G1, gap 1e-5, angle 1e-4, at most 400 spans; for the other methods a carried second row and merged
+    /// knots.
     fn default() -> Self {
         Self {
             method: Method::Exact,
@@ -117,8 +136,8 @@ impl Default for SpliceOptions {
             gap: 1e-5,
             angle: 1e-4,
             spans: 400,
-            carry: true,
-            merge: true,
+            second_row: SecondRow::Carried,
+            edge_knots: EdgeKnots::Merged,
         }
     }
 }
@@ -130,20 +149,8 @@ crate::bspline::setters! {
     gap: f64, "With that largest gap, in the unit of the points.";
     angle: f64, "With that largest angle between the tangent planes, in radians.";
     spans: usize, "With at most that number of spans along the edge.";
-}
-
-impl SpliceOptions {
-    /// Without the change of the edge in the second row before that is corrected, see [`carry`](Self::carry).
-    #[must_use]
-    pub fn without_carrying(self) -> Self {
-        Self { carry: false, ..self }
-    }
-
-    /// Without raising the degree along the edge and inserting the target's knots first, see [`merge`](Self::merge).
-    #[must_use]
-    pub fn without_merging(self) -> Self {
-        Self { merge: false, ..self }
-    }
+    second_row: SecondRow, "With a second row that does so before it is corrected.";
+    edge_knots: EdgeKnots, "With that degree and those knots along the edge to begin with.";
 }
 
 /// A surface that was joined to another one.
@@ -185,7 +192,7 @@ fn measured<P: Point3>(
 ) -> Result<JointMeasure, SpliceError> {
     let strip = Strip::new(&surface.clamped(), joint.first)?;
     let other = Strip::new(&target.clamped(), joint.second)?;
-    let other = other.mapped::<P::Scalar>(strip.knots.domain(), joint.reversed, &strip.knots)?;
+    let other = other.mapped::<P::Scalar>(strip.knots.domain(), joint.orientation, &strip.knots)?;
     Ok(measure(&strip, &other, continuity)?.0)
 }
 
@@ -237,13 +244,14 @@ pub fn splice<P: Point3>(
     let original = Strip::new(&surface, joint.first)?;
     let clamped = target.clamped();
     let fixed = Strip::new(&clamped, joint.second)?;
-    let mapped =
-        |strip: &Strip| strip.mapped::<P::Scalar>(original.knots.domain(), joint.reversed, &original.knots);
+    let mapped = |strip: &Strip| {
+        strip.mapped::<P::Scalar>(original.knots.domain(), joint.orientation, &original.knots)
+    };
     let seconds =
         if has_curvatures { Some(mapped(&third::seconds(&clamped, joint.second, &fixed)?)?) } else { None };
     let fixed = mapped(&fixed)?;
 
-    let merge = exact || options.merge;
+    let merge = exact || options.edge_knots == EdgeKnots::Merged;
     let least = if merge { fixed.knots.degree() } else { 0 };
     // Below degree 2 the paper has more equations than unknowns, and tangent planes jump from span to span.
     let degree = original.knots.degree().max(least).max(if exact { 1 } else { 2 });
@@ -350,7 +358,7 @@ fn solve(strip: &mut Strip, target: &Strip, options: &SpliceOptions) -> Result<f
             change
         }
     };
-    if options.carry {
+    if options.second_row == SecondRow::Carried {
         for (point, change) in strip.inner.iter_mut().zip(&change) {
             *point = point.add_scaled(*change, 1.0);
         }

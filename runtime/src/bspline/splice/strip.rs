@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::SpliceError;
 use crate::bspline::rows::{self, Rows};
-use crate::bspline::{BSplineSurface, Direction, Edge, KnotVector};
+use crate::bspline::{BSplineSurface, Direction, Edge, KnotVector, Orientation};
 use crate::{Point, Point3, Scalar};
 
 pub(in crate::bspline) type Vector = [f64; 3];
@@ -86,12 +86,12 @@ impl Strip {
         Ok(Self { knots, edge, inner, factor })
     }
 
-    /// The strip over the domain `[lo, hi]`, run through backwards if `reversed`. Knots that agree with one of `grid`
+    /// The strip over the domain `[lo, hi]`, run through backwards if the orientation is opposite. Knots that agree with one of `grid`
     /// up to rounding errors of the scalar type become equal to it; all are made numbers of that type.
     pub(in crate::bspline) fn mapped<S: Scalar>(
         &self,
         [lo, hi]: [f64; 2],
-        reversed: bool,
+        orientation: Orientation,
         grid: &KnotVector<f64>,
     ) -> Result<Self, SpliceError> {
         let [a, b] = self.knots.domain();
@@ -100,7 +100,10 @@ impl Strip {
         let breakpoints = grid.breakpoints();
         let map = |t: &f64| {
             let part = (t - a) / (b - a);
-            let part = if reversed { 1.0 - part } else { part };
+            let part = match orientation {
+                Orientation::Same => part,
+                Orientation::Opposite => 1.0 - part,
+            };
             let mapped = if part <= 0.0 {
                 lo
             } else if part >= 1.0 {
@@ -115,7 +118,7 @@ impl Strip {
         };
         let mut knots: Vec<f64> = self.knots.as_slice().iter().map(map).collect();
         let (mut edge, mut inner) = (self.edge.clone(), self.inner.clone());
-        if reversed {
+        if orientation == Orientation::Opposite {
             knots.reverse();
             edge.reverse();
             inner.reverse();

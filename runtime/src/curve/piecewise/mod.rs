@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::{divisible, inside, nonempty};
-use crate::{Basis, BernsteinOf, Contact, Curve, CurveError, Joint, Point, Scalar};
+use crate::{Basis, BernsteinOf, Curve, CurveError, Joint, Point, Scalar};
 
 /// A curve of one or more segments of the family `B`, each with its own shape values.
 ///
@@ -21,12 +21,13 @@ use crate::{Basis, BernsteinOf, Contact, Curve, CurveError, Joint, Point, Scalar
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
 /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
-/// use basis_runtime::{Contact, Curve, PiecewiseCurve};
+/// use basis_runtime::{Basis, Contact, Curve, PiecewiseCurve};
 ///
 /// let first = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
-/// let mut curve = PiecewiseCurve::from(first);
 /// let free = [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [8.0, 1.0]]; // the first three will be replaced
-/// curve.push_after(QuarticBernstein::new(0.0)?, Contact::Curvature { f: 1.0, c: 0.0 }, free)?;
+/// let contact = Contact::Curvature { f: 1.0, c: 0.0 };
+/// let next = QuarticBernstein::new(0.0)?.curve_after(&first, contact, free)?;
+/// let curve = PiecewiseCurve::new(vec![first, next])?;
 ///
 /// assert_eq!(curve.eval(1.0), [4.0, 0.0]);
 /// let [joint] = curve.joints().try_into().unwrap();
@@ -56,27 +57,13 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         if segments.is_empty() { Err(CurveError::NoSegments) } else { Ok(Self { segments }) }
     }
 
-    /// Adds a segment to the end.
+    /// Adds a segment to the end. If it does not begin where the curve ends, the curve jumps there.
     pub fn push(&mut self, segment: Curve<B, P>) {
         self.segments.push(segment);
     }
 
-    /// Adds a segment that continues the last one with the given order of contact; see [`Basis::curve_after`].
-    ///
-    /// # Errors
-    /// Those of [`Basis::curve_after`]; the curve is then unchanged.
-    pub fn push_after(
-        &mut self,
-        basis: B,
-        contact: Contact<B::Scalar>,
-        points: B::Points<P>,
-    ) -> Result<(), CurveError> {
-        let next = basis.curve_after(self.last(), contact, points)?;
-        self.segments.push(next);
-        Ok(())
-    }
-
-    /// Adds the segments of another curve to the end. If it does not begin where this one ends, the curve jumps there.
+    /// Adds the segments of another curve to the end. If it does not begin where this one ends, the curve jumps there;
+    /// `continued` (feature `geometry`) moves it so that it continues this one.
     pub fn append(&mut self, other: &Self) {
         self.segments.extend_from_slice(&other.segments);
     }
@@ -125,7 +112,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         Ok(self.eval(u))
     }
 
-    /// The point at `u`, or the nearer end of the curve if `u` is outside of the domain. If `u` is NaN so is the point.
+    /// The point at `u`, or the nearer end of the curve if `u` is outside of the domain; if `u` is NaN so is the point.
     pub fn eval_clamped(&self, u: B::Scalar) -> P {
         let [lo, hi] = self.domain();
         self.eval(if u < lo {

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::CurvePiece;
-use crate::bernstein::roots;
+use crate::bernstein::{RootKind, roots};
 use crate::geometry::{derivative, product};
 
 /// A polynomial for each piece, whose changes of sign along the curve are asked for.
@@ -26,7 +26,7 @@ impl Signs<'_> {
             if last.is_some_and(|(positive, _)| positive != (first > 0.0)) {
                 found.push(lo);
             }
-            let inside = roots(polynomial).into_iter().filter(|root| root.crosses);
+            let inside = roots(polynomial).into_iter().filter(|root| root.kind == RootKind::Crossing);
             let near = 64.0 * f64::EPSILON;
             found.extend(
                 inside.filter(|r| r.x > near && r.x < 1.0 - near).map(|root| piece.parameter(root.x)),

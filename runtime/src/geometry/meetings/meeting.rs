@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{Found, MeetingKind};
-use crate::bernstein::roots;
+use crate::bernstein::{RootKind, roots};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{distance, recast};
@@ -147,7 +147,8 @@ fn plane_places(
         for root in roots(&height) {
             let t = piece.parameter(root.x);
             let at_start = root.x <= 0.0;
-            let kind = if root.crosses || at_start && before.is_some_and(|positive| positive != (first > 0.0))
+            let kind = if root.kind == RootKind::Crossing
+                || at_start && before.is_some_and(|positive| positive != (first > 0.0))
             {
                 MeetingKind::Crossing
             } else {

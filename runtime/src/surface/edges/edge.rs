@@ -16,6 +16,16 @@ pub enum Direction {
     V,
 }
 
+/// How two directions along one line are related, or two normals of one plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Orientation {
+    /// They are the same.
+    Same,
+    /// One is the reverse of the other.
+    Opposite,
+}
+
 /// An edge of the parameters of a surface, a rectangle or a triangle: see [`SurfaceDomain`](crate::SurfaceDomain).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -93,9 +103,9 @@ pub struct EdgeContinuity<S> {
     /// The largest difference of the normal curvatures, over all tangent directions; NaN if nowhere on the edge both
     /// surfaces have curvatures.
     pub curvature: S,
-    /// Whether the normals of both surfaces point to the same side where they continue each other. It follows from
-    /// which edges are joined in which direction.
-    pub same_side: bool,
+    /// Whether the normals of both surfaces point to the same side where they continue each other, or to opposite sides.
+    /// It follows from which edges are joined in which direction.
+    pub normals: Orientation,
     /// The number of samples at which a surface has no normal, which do not count for the angle.
     pub without_normal: usize,
     /// The number of samples at which a surface has no curvature, as at poles, which do not count for the curvature.
@@ -125,19 +135,19 @@ pub struct EdgePair {
     pub first: Edge,
     /// The edge of the second surface; of a splice that of the target.
     pub second: Edge,
-    /// Whether the parameters along the two edges run in opposite directions.
-    pub reversed: bool,
+    /// Whether the parameters along the two edges run in the same direction or in opposite ones.
+    pub orientation: Orientation,
 }
 
 impl EdgePair {
     /// Edges along which the parameters run in the same direction.
     pub const fn along(first: Edge, second: Edge) -> Self {
-        Self { first, second, reversed: false }
+        Self { first, second, orientation: Orientation::Same }
     }
 
     /// Edges along which the parameters run in opposite directions.
     pub const fn against(first: Edge, second: Edge) -> Self {
-        Self { first, second, reversed: true }
+        Self { first, second, orientation: Orientation::Opposite }
     }
 
     /// Edges of two surfaces in the direction in which their ends are nearer to each other.
@@ -168,7 +178,16 @@ impl EdgePair {
         });
         let same = distance(start, other_start) + distance(end, other_end);
         let opposite = distance(start, other_end) + distance(end, other_start);
-        Self { first: first_edge, second: second_edge, reversed: opposite < same }
+        if opposite < same {
+            Self::against(first_edge, second_edge)
+        } else {
+            Self::along(first_edge, second_edge)
+        }
+    }
+
+    /// The edges in the other order.
+    pub const fn swapped(self) -> Self {
+        Self { first: self.second, second: self.first, orientation: self.orientation }
     }
 }
 
@@ -178,7 +197,7 @@ impl EdgePair {
 /// polynomial surfaces of low degree differ little from the largest with 65 samples.
 ///
 /// ```
-/// use basis_runtime::{BernsteinBasis, Edge, EdgePair, TensorSurface, edge_continuity};
+/// use basis_runtime::{BernsteinBasis, Edge, EdgePair, Orientation, TensorSurface, edge_continuity};
 ///
 /// // Two sides of a roof.
 /// let linear = BernsteinBasis::<f64, 2>::new();
@@ -187,7 +206,8 @@ impl EdgePair {
 /// let right = side([[[0.0, 1.0, 1.0], [0.0, 2.0, 0.0]], [[1.0, 1.0, 1.0], [1.0, 2.0, 0.0]]]);
 /// let ridge = edge_continuity(&left, &right, EdgePair::along(Edge::VEnd, Edge::VStart), 9);
 /// assert_eq!(ridge.gap, 0.0);
-/// assert!((ridge.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15 && ridge.same_side);
+/// assert!((ridge.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+/// assert_eq!(ridge.normals, Orientation::Same);
 /// assert_eq!(ridge.order(1e-9, 1e-6, 1e-3), Some(0));
 /// ```
 pub fn edge_continuity<A, B>(
@@ -201,18 +221,26 @@ where
     A::Point: Point3,
     B: Surface<Point = A::Point> + ?Sized,
 {
-    let EdgePair { first: first_edge, second: second_edge, reversed } = pair;
+    let EdgePair { first: first_edge, second: second_edge, orientation } = pair;
     let zero = ScalarOf::<A>::ZERO;
     let one = ScalarOf::<A>::ONE;
     let last = samples.max(2) - 1;
     let (mut gap, mut angle, mut curvature) = (zero, zero, zero);
     // Two faces have one orientation if they are on different sides of their common edge.
-    let same_side = first_edge.surface_on_the_right() ^ second_edge.surface_on_the_right() ^ reversed;
+    let sides_differ = first_edge.surface_on_the_right() != second_edge.surface_on_the_right();
+    let (normals, sign) = match (sides_differ, orientation) {
+        (true, Orientation::Same) | (false, Orientation::Opposite) => (Orientation::Same, one),
+        (true, Orientation::Opposite) | (false, Orientation::Same) => (Orientation::Opposite, -one),
+    };
     let (mut without_normal, mut without_curvature) = (0, 0);
     for k in 0..=last {
         let x = ScalarOf::<A>::from_usize(k) / ScalarOf::<A>::from_usize(last);
         let (u, v) = first.domain().on_edge(first_edge, x);
-        let (s, t) = second.domain().on_edge(second_edge, if reversed { one - x } else { x });
+        let y = match orientation {
+            Orientation::Same => x,
+            Orientation::Opposite => one - x,
+        };
+        let (s, t) = second.domain().on_edge(second_edge, y);
         gap = larger(gap, distance(first.eval(u, v), second.eval(s, t)));
         let (Some(n), Some(m)) = (first.normal(u, v), second.normal(s, t)) else {
             without_normal += 1;
@@ -228,7 +256,7 @@ where
         };
         angle = larger(angle, here);
         if let (Some(a), Some(b)) = (first.curvature(u, v), second.curvature(s, t)) {
-            curvature = larger(curvature, curvature_difference(&a, &b, if same_side { one } else { -one }));
+            curvature = larger(curvature, curvature_difference(&a, &b, sign));
         } else {
             without_curvature += 1;
         }
@@ -239,7 +267,7 @@ where
     if without_curvature > last {
         curvature = ScalarOf::<A>::NAN;
     }
-    EdgeContinuity { gap, angle, curvature, same_side, without_normal, without_curvature }
+    EdgeContinuity { gap, angle, curvature, normals, without_normal, without_curvature }
 }
 
 /// The larger one; NaN stays.

@@ -6,7 +6,7 @@
 
 use alloc::vec::Vec;
 
-use super::{Direction, Edge, EdgePair, JoinError};
+use super::{Direction, Edge, EdgePair, JoinError, Orientation};
 use crate::bernstein::elevate;
 use crate::curve::backwards;
 use crate::numeric::linear::solve;
@@ -99,7 +99,7 @@ where
                 points[i] = derivative;
             }
         }
-        next.touching(edges.second, &across, edges.reversed)
+        next.touching(edges.second, &across, edges.orientation)
     }
 
     /// The derivatives up to that order across an edge.
@@ -145,11 +145,11 @@ where
     }
 
     /// This surface with these derivatives across an edge.
-    fn touching(&self, edge: Edge, across: &Across<P>, reversed: bool) -> Result<Self, JoinError> {
+    fn touching(&self, edge: Edge, across: &Across<P>, orientation: Orientation) -> Result<Self, JoinError> {
         let order = across.points.len() - 1;
         let net = |i: usize, j: usize| self.rows()[i].control_points()[j];
         if edge.across() == Direction::V {
-            let points = across.over(self.u_basis(), reversed)?;
+            let points = across.over(self.u_basis(), orientation)?;
             let mut rows = U::Points::<Curve<V, P>>::from_fn(|i| self.rows()[i]);
             for (i, row) in rows.as_mut().iter_mut().enumerate() {
                 let derivatives: Vec<P> = points.iter().map(|points| points[i]).collect();
@@ -161,7 +161,7 @@ where
             return Ok(Self::from_rows(self.u_basis(), rows));
         }
         let (_, basis) = self.counting(edge, order).map_err(|row| JoinError::SecondShape { row })?;
-        let points = across.over(basis, reversed)?;
+        let points = across.over(basis, orientation)?;
         let mut moved = U::Points::<V::Points<P>>::from_fn(|i| V::Points::from_fn(|j| net(i, j)));
         for j in 0..V::LEN {
             let derivatives: Vec<P> = points.iter().map(|points| points[j]).collect();
@@ -176,9 +176,13 @@ where
 
 impl<P: Point> Across<P> {
     /// The control points of the same curves over another family, in the same or the other direction.
-    fn over<B: Basis<Scalar = P::Scalar>>(&self, basis: B, reversed: bool) -> Result<Vec<Vec<P>>, JoinError> {
+    fn over<B: Basis<Scalar = P::Scalar>>(
+        &self,
+        basis: B,
+        orientation: Orientation,
+    ) -> Result<Vec<Vec<P>>, JoinError> {
         let own = weights(basis);
-        if !reversed && own == self.weights {
+        if orientation == Orientation::Same && own == self.weights {
             return Ok(self.points.clone());
         }
         let size = own.len().max(self.weights.len());
@@ -195,7 +199,7 @@ impl<P: Point> Across<P> {
                 points.iter().zip(row).fold(P::zero(), |sum, (&p, &weight)| sum.add_scaled(p, weight))
             };
             let mut coefficients: Vec<P> = self.weights.iter().map(of_row).collect();
-            if reversed {
+            if orientation == Orientation::Opposite {
                 coefficients.reverse();
             }
             let mut target = alloc::vec![P::zero(); size];

@@ -5,5 +5,5 @@ mod edge;
 mod join;
 mod join_error;
 
-pub use edge::{Direction, Edge, EdgeContinuity, EdgePair, edge_continuity};
+pub use edge::{Direction, Edge, EdgeContinuity, EdgePair, Orientation, edge_continuity};
 pub use join_error::JoinError;

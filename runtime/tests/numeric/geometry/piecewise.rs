@@ -99,10 +99,9 @@ fn joints_are_measured() {
 fn two_segments() -> PiecewiseCurve<QuarticBernstein, [f64; 2]> {
     let first =
         Curve::new(QuarticBernstein::new(0.5).unwrap(), [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
-    let mut curve = PiecewiseCurve::from(first);
     let contact = Contact::Parametric { order: 2 };
-    curve.push_after(QuarticBernstein::new(-1.0).unwrap(), contact, [[8.0, 3.0]; 4]).unwrap();
-    curve
+    let next = QuarticBernstein::new(-1.0).unwrap().curve_after(&first, contact, [[8.0, 3.0]; 4]).unwrap();
+    PiecewiseCurve::new(vec![first, next]).unwrap()
 }
 
 #[test]

@@ -35,12 +35,9 @@ fn nets_of_extreme_numbers() {
         }
         surface.bounding_box();
         for edge in Edge::ALL {
-            edge_continuity(
-                &surface,
-                &surface,
-                EdgePair { first: edge, second: Edge::UStart, reversed: round % 2 == 0 },
-                5,
-            );
+            for pair in [EdgePair::along(edge, Edge::UStart), EdgePair::against(edge, Edge::UStart)] {
+                edge_continuity(&surface, &surface, pair, 5);
+            }
         }
         let _ = surface.continued(
             EdgePair::along(Edge::VEnd, Edge::VStart),

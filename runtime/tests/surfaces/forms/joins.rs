@@ -1,7 +1,8 @@
 //! Joined surfaces have the order of contact asked for, and the measurement sees it.
 
 use basis_runtime::{
-    BernsteinBasis, Contact, Direction, Edge, EdgePair, JoinError, Surface, TensorSurface, edge_continuity,
+    BernsteinBasis, Contact, Direction, Edge, EdgePair, JoinError, Orientation, Surface, TensorSurface,
+    edge_continuity,
 };
 
 use crate::families::{
@@ -47,7 +48,7 @@ fn u_u() {
             let next = first.continued(UU, scaled(contact, factor), &draft).unwrap();
             let measured = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
-            assert!(measured.same_side);
+            assert_eq!(measured.normals, Orientation::Same);
             assert_eq!(measured.without_normal, 0);
             for (i, row) in next.rows().iter().enumerate() {
                 assert_eq!(row.basis(), gammas[i]);
@@ -111,7 +112,7 @@ fn u_v() {
             let next = first.continued(UV, scaled(contact, 1.3), &draft).unwrap();
             let measured = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::UStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
-            assert!(!measured.same_side);
+            assert_eq!(measured.normals, Orientation::Opposite);
             if contact > 0 {
                 let mut gammas = gammas;
                 gammas[contact] = other;
@@ -136,7 +137,7 @@ fn v_v() {
             let next = first.continued(VV, scaled(contact, 0.7), &draft).unwrap();
             let measured = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
-            assert!(measured.same_side);
+            assert_eq!(measured.normals, Orientation::Same);
             if contact < 2 {
                 let error = first.continued(VV, scaled(contact + 1, 1.0), &draft).unwrap_err();
                 assert_eq!(error, JoinError::FirstShape { row: 2 - contact });
@@ -176,15 +177,14 @@ fn of_all_edges() {
     let basis = BernsteinBasis::<f64, 6>::new();
     for first_edge in Edge::ALL {
         for second_edge in Edge::ALL {
-            for reversed in [false, true] {
+            for orientation in [Orientation::Same, Orientation::Opposite] {
                 let (edge, along) = (random_quartic(random), random_quartic(random));
                 let first = TensorSurface::new(edge, along, sheet(random, 0.0, 0.0));
                 let net: [[[f64; 3]; 6]; 6] = core::array::from_fn(|i| {
                     core::array::from_fn(|j| [i as f64, j as f64, random.between(-0.3, 0.3)])
                 });
                 let draft = TensorSurface::new(basis, basis, net);
-                let make = if reversed { EdgePair::against } else { EdgePair::along };
-                let pair = make(first_edge, second_edge);
+                let pair = EdgePair { first: first_edge, second: second_edge, orientation };
                 for (contact, order) in [
                     (Contact::Parametric { order: 0 }, 0),
                     (Contact::Tangent { f: 1.25 }, 1),
@@ -233,7 +233,7 @@ fn of_parts_of_one_surface() {
     let turned = bowl.subpatch(0.25..1.0, 1.0..-1.0).unwrap();
     let measured = edge_continuity(&left, &turned, EdgePair::against(Edge::UEnd, Edge::UStart), 17);
     assert_eq!(measured.order(1e-14, 1e-14, 1e-12), Some(2), "{measured:?}");
-    assert!(!measured.same_side);
+    assert_eq!(measured.normals, Orientation::Opposite);
     let apart = edge_continuity(&left, &turned, EdgePair::along(Edge::UEnd, Edge::UStart), 17);
     assert_eq!(apart.order(1e-3, 1.0, 1.0), None);
 }

@@ -1,9 +1,9 @@
 //! Triangular patches as tensor surfaces.
 
 use basis_runtime::{
-    Edge, EdgePair, JoinError, Surface, SurfaceDomain, Tessellation, TriangleContact, TriangleEdge,
-    TriangleIndex, TriangularBernsteinBasis, TriangularBezier, TriangularBezierOf, TriangularPatch, basis,
-    edge_continuity,
+    Edge, EdgePair, JoinError, Orientation, Surface, SurfaceDomain, Tessellation, TriangleContact,
+    TriangleEdge, TriangleIndex, TriangularBernsteinBasis, TriangularBezier, TriangularBezierOf,
+    TriangularPatch, basis, edge_continuity,
 };
 
 use crate::random::Random;
@@ -203,7 +203,7 @@ fn are_continued() {
         let pair = EdgePair::nearest(&turned, Edge::UStart, &second, Edge::VEnd);
         assert_eq!(pair, EdgePair::against(Edge::UStart, Edge::VEnd));
         let joint = edge_continuity(&turned, &second, pair, 33);
-        assert!(joint.gap < 1e-11 && joint.angle < 1e-6 && joint.same_side, "{joint:?}");
+        assert!(joint.gap < 1e-11 && joint.angle < 1e-6 && joint.normals == Orientation::Same, "{joint:?}");
         assert!(joint.curvature > 1e-3);
 
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
