@@ -115,6 +115,24 @@ fn quotients_in_sines() {
 }
 
 #[test]
+fn bounds_at_parts_of_pi() {
+    as_declared(
+        "family Sines {
+            domain 0 <= t <= pi/2;
+            b[0] = sin(t);
+            prove integral(b[0], t, 0, pi/3) = 1/2;
+            prove integral(sin(t), t, pi/6, pi/3) = cos(pi/6) - cos(pi/3);
+            refute integral(cos(t), t, 0, pi/6) = 1/3;
+        }
+        family Power {
+            domain 0 <= t <= pi;
+            b[0] = t/pi;
+            prove integral(t^2, t, 0, pi/3) = pi^3/81;
+        }",
+    );
+}
+
+#[test]
 fn quotients() {
     as_declared(
         "family Quotients {

@@ -24,6 +24,9 @@ impl Scope<'_> {
         None
     }
 
+    /// Nothing: no function of angles has to be known.
+    pub(in crate::model::formula) const fn record_bound(&mut self, _: &Fraction, _: Span) {}
+
     /// Nothing: there is no angle.
     pub(crate) fn angle_at(
         &self,

@@ -352,6 +352,22 @@ impl Scope<'_> {
         if is_number(&self.analytic.roots, &value) { self.analytic.reduced(value) } else { value }
     }
 
+    /// Notes that functions of angles have to be known at a multiple of π, as if its sine and
+    /// cosine stood in the claim.
+    pub(in crate::model::formula) fn record_bound(&mut self, bound: &Fraction, span: Span) {
+        let is_multiple = self.analytic.pi.is_some_and(|pi| {
+            let slope = bound.as_poly().and_then(|p| p.derivative(pi).as_constant());
+            let rest = slope.map(|slope| bound - &(&Fraction::constant(slope) * &Fraction::var(pi)));
+            bound.depends_on(pi) && rest.is_some_and(|rest| rest.is_zero())
+        });
+        if let Some(recorded) = self.recorded.as_mut().filter(|_| is_multiple) {
+            // One of the two can be rational where the other one is not.
+            for name in ["sin", "cos"] {
+                recorded.arguments.push(Argument { name: String::from(name), value: bound.clone(), span });
+            }
+        }
+    }
+
     /// The error for an argument that is not linear.
     fn report_frequency(&self, name: &str, value: &Fraction, span: Span) {
         let is_angle = |v: Var| {

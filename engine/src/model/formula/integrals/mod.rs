@@ -51,8 +51,13 @@ impl Scope<'_> {
         };
         let bounds = match bounds {
             Some((var, low, high)) => {
+                let spans = [low.span, high.span];
                 let (low, high) = (self.bound(low), self.bound(high));
-                Some((var, low?, high?))
+                let (low, high) = (low?, high?);
+                for (bound, span) in [&low, &high].into_iter().zip(spans) {
+                    self.record_bound(bound, span);
+                }
+                Some((var, low, high))
             }
             None if self.domain.is_empty() => {
                 let error = self.error(span, "an integral needs its variable and bounds here");
@@ -159,11 +164,9 @@ impl Scope<'_> {
             Ok(place) => place,
             Err((message, _)) => {
                 let error = self.error(span, "the functions are not known at a bound of the integral");
-                let own = angle.name.as_str();
-                let help = "bounds are ends of the domain, multiples of `pi/2` and shape parameters";
                 let error = error.label(message);
                 self.report(error.help(if angle.kind == Kind::Circular {
-                    format!("{help}, and angles whose sine or cosine stands in the claim itself, `integral(sin({own}), {own}, 0, pi/4) = 1 - cos(pi/4)`")
+                    String::from("bounds are ends of the domain, shape parameters, and multiples of one small part of `pi` such as pi/12")
                 } else {
                     String::from("bounds are ends of the domain and shape parameters")
                 }));
