@@ -18,8 +18,10 @@ use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+#[cfg(any(test, feature = "rounding"))]
+use crate::model::Truncation;
 use crate::model::angle::{Analytic, Angle, Kind};
-use crate::model::{Family, Function, Truncation};
+use crate::model::{Family, Function};
 
 /// The highest power of a series.
 const LAST: usize = 30;
