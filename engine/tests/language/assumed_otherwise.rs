@@ -29,6 +29,15 @@ fn conditions_that_a_claim_does_not_need() {
             refute q > 1/1000;
             refute at t = 1 { b[0] > 0; }
         }
+        family Symmetric {
+            domain 0 <= t <= 1;
+            shape -1 <= p <= 1, 0 < q <= 2;
+            assume p^2 <= q;
+            f[0] = 1 - t;
+            f[1] = 1 + p*t + q;
+            prove q > 0;
+            prove q^3 > 0;
+        }
         family G {
             domain 0 <= t <= 1;
             shape 4 <= k <= m <= 6, 0 <= r <= 1;
@@ -39,7 +48,7 @@ fn conditions_that_a_claim_does_not_need() {
             refute 5*(m - 5)^2*(m^4 - 3*m + 1) > 0;
         }",
     );
-    assert_eq!(found, ["=", "=", "≠", "≠", "=", "≠"]);
+    assert_eq!(found, ["=", "=", "≠", "≠", "=", "=", "=", "≠"]);
 }
 
 /// Where p² ≤ q, q·s² + 2·p·s·t + t² = (q − p²)·s² + (p·s + t)².

@@ -38,6 +38,22 @@ use Conditions::{AsWritten, None as Unconditional, OfItsOwn};
 /// The work for one of them.
 const TRIED: u64 = 2_000_000;
 
+/// The work for a first look, before proofs with all conditions.
+const FIRST_LOOK: u64 = 100_000;
+
+/// A claim that is easy without conditions that are no part of a box, with which it may take all the work there is.
+pub(super) fn proved_at_once(family: &Family, claim: &Claim) -> Option<Verdict> {
+    let of_points = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. });
+    if family.constraints.is_empty() || !of_points {
+        return None;
+    }
+    if inequality::parts(family, claim.kind.fixed()).iter().all(|(piece, _)| piece.is_exact()) {
+        return None;
+    }
+    let found = |ways| within(FIRST_LOOK, &mut || by(family, claim, ways, &mut |ways| Saying::Found(ways)));
+    found(Unconditional).or_else(|| found(OfItsOwn))
+}
+
 /// A claim that is proved with other conditions.
 pub(super) fn proved_with_others(family: &Family, claim: &Claim) -> Option<Verdict> {
     if family.constraints.is_empty() {
@@ -94,12 +110,16 @@ pub(super) fn said_with(
 /// The family with fewer conditions; `None` where no other ones are left than there are.
 fn with_fewer(family: &Family, kind: &ClaimKind, conditions: Conditions) -> Option<Family> {
     let own = variables(family, kind)?;
-    // The ends of angles are those of the functions themselves.
+    // The ends of angles are those of the functions themselves, which beyond them need not mean anything.
+    let of_angle = |v: Var| family.analytic.angles.iter().any(|a| a.var == v || a.itself == v);
     let stays = |c: &&Constraint| {
-        c.is_end || conditions == OfItsOwn && c.value.variables().iter().all(|v| own.contains(v))
+        c.is_end
+            || c.value.variables().into_iter().any(of_angle)
+            || conditions == OfItsOwn && c.value.variables().iter().all(|v| own.contains(v))
     };
     let constraints = family.constraints.iter().filter(stays).cloned().listed();
-    let is_unconditional = constraints.iter().all(|c| c.is_end);
+    let is_unconditional =
+        constraints.iter().all(|c| c.is_end || c.value.variables().into_iter().any(of_angle));
     if constraints.len() == family.constraints.len() || conditions == OfItsOwn && is_unconditional {
         return None;
     }

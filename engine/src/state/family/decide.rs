@@ -4,7 +4,7 @@ use basis_kernel::{Statement, Values};
 use basis_prover::collections::list::Listed;
 use basis_prover::{Failure, within_half};
 
-use super::conditions::proved_with_others;
+use super::conditions::{proved_at_once, proved_with_others};
 use super::independent::Squares;
 use super::premises::NOT_DERIVED;
 use super::proved::proved;
@@ -31,6 +31,9 @@ const WIDER: &str =
 
 /// Decides a claim about one span.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
+    if let Some(verdict) = proved_at_once(family, claim) {
+        return verdict;
+    }
     match decided(family, claim) {
         Verdict::Undecided(left) => proved_with_others(family, claim).unwrap_or(Verdict::Undecided(left)),
         verdict => verdict,
