@@ -2,6 +2,8 @@
 
 use super::{BoxBasis, BoxPatch};
 #[cfg(feature = "geometry")]
+use crate::surface::forward_boxes;
+#[cfg(feature = "geometry")]
 use crate::{BoundedSurface, SurfacePiece};
 use crate::{Point, Scalar, Surface, SurfaceDomain};
 
@@ -63,13 +65,5 @@ where
         alloc::vec![SurfacePiece::from_fn(self.domain().ranges(), size, P::DIM, P::DIM, of)]
     }
 
-    #[inline]
-    fn control_box(&self) -> [P; 2] {
-        self.control_box()
-    }
-
-    #[inline]
-    fn bounding_box(&self) -> [P; 2] {
-        self.bounding_box()
-    }
+    forward_boxes!();
 }

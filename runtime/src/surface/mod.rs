@@ -34,6 +34,8 @@ pub use parts::BezierPatchOf;
 pub use piece::SurfacePiece;
 #[cfg(feature = "geometry")]
 pub use pieces::BoundedSurface;
+#[cfg(feature = "geometry")]
+pub(crate) use pieces::forward_boxes;
 pub use rational::{RationalPatchOf, RationalSurface};
 pub use tensor::TensorSurface;
 

@@ -215,6 +215,7 @@ macro_rules! forward_boxes {
         }
     };
 }
+pub(crate) use forward_boxes;
 
 impl<U, V, P> BoundedSurface for TensorSurface<U, V, P>
 where

@@ -1,5 +1,7 @@
 //! Triangular patches as surfaces: over the triangle, and as tensor surfaces over the unit square.
 
+#[cfg(feature = "geometry")]
+use super::forward_boxes;
 use super::partials_by_number;
 use crate::simplex::square_row;
 use crate::{
@@ -74,15 +76,7 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> BoundedSurface for Simple
         SurfacePiece::triangular(self.to_bernstein().as_ref()).into_iter().collect()
     }
 
-    #[inline]
-    fn control_box(&self) -> [P; 2] {
-        self.control_box()
-    }
-
-    #[inline]
-    fn bounding_box(&self) -> [P; 2] {
-        self.bounding_box()
-    }
+    forward_boxes!();
 
     #[inline]
     fn nearest(&self, point: P, accuracy: P::Scalar) -> Option<Nearest<P, [P::Scalar; 2]>> {

@@ -85,10 +85,9 @@ impl Near {
     }
 }
 
-/// Numbers as sums of their power series.
+/// exp x, from that of its sixteenth part.
 fn exponential(x: &Near) -> Option<Near> {
-    let half = Near::exact(&Rational::new(1, 16));
-    let part = x.mul(&half);
+    let part = x.mul(&Near::exact(&Rational::new(1, 16)));
     let [odd, even] = waves(&part, false)?;
     let mut power = odd.add(&even);
     for _ in 0..4 {

@@ -43,8 +43,7 @@ const FIRST_LOOK: u64 = 100_000;
 
 /// A claim that is easy without conditions that are no part of a box, with which it may take all the work there is.
 pub(super) fn proved_at_once(family: &Family, claim: &Claim) -> Option<Verdict> {
-    let of_points = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. });
-    if family.constraints.is_empty() || !of_points {
+    if family.constraints.is_empty() || !is_of_points(&claim.kind) {
         return None;
     }
     if inequality::parts(family, claim.kind.fixed()).iter().all(|(piece, _)| piece.is_exact()) {
@@ -95,10 +94,9 @@ pub(super) fn said_with(
     saying: &mut Saying<'_>,
 ) -> Option<Vec<Said>> {
     if conditions == AsWritten {
-        let is_of_points = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. });
         let is_other =
             || !inequality::parts(family, claim.kind.fixed()).iter().all(|(p, _)| p.steps.is_empty());
-        return if is_of_points && is_other() {
+        return if is_of_points(&claim.kind) && is_other() {
             said_of(family, claim, saying, &inequality::as_written)
         } else {
             None
@@ -107,19 +105,21 @@ pub(super) fn said_with(
     said_of(&with_fewer(family, &claim.kind, conditions)?, claim, saying, &inequality::parts)
 }
 
+/// Whether a claim is about each point by itself.
+const fn is_of_points(kind: &ClaimKind) -> bool {
+    matches!(kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
+}
+
 /// The family with fewer conditions; `None` where no other ones are left than there are.
 fn with_fewer(family: &Family, kind: &ClaimKind, conditions: Conditions) -> Option<Family> {
     let own = variables(family, kind)?;
     // The ends of angles are those of the functions themselves, which beyond them need not mean anything.
-    let of_angle = |v: Var| family.analytic.angles.iter().any(|a| a.var == v || a.itself == v);
-    let stays = |c: &&Constraint| {
-        c.is_end
-            || c.value.variables().into_iter().any(of_angle)
-            || conditions == OfItsOwn && c.value.variables().iter().all(|v| own.contains(v))
-    };
+    let of_angle = |v: &Var| family.analytic.angles.iter().any(|a| a.var == *v || a.itself == *v);
+    let always = |c: &Constraint| c.is_end || c.value.variables().iter().any(of_angle);
+    let of_claim = |c: &Constraint| c.value.variables().iter().all(|v| own.contains(v));
+    let stays = |c: &&Constraint| always(c) || conditions == OfItsOwn && of_claim(c);
     let constraints = family.constraints.iter().filter(stays).cloned().listed();
-    let is_unconditional =
-        constraints.iter().all(|c| c.is_end || c.value.variables().into_iter().any(of_angle));
+    let is_unconditional = constraints.iter().all(always);
     if constraints.len() == family.constraints.len() || conditions == OfItsOwn && is_unconditional {
         return None;
     }
