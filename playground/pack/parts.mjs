@@ -12,7 +12,7 @@ const MISSING = Uint8Array.of(0, 0x00, 0x0b);
 const PART = 24_000;
 /** An address behind all memory. */
 const NOWHERE = 0xc000_0000;
-/** So many bytes that need not be there take less room than the head of another segment: they are zeros, or there before. */
+/** The most bytes between two segments that are filled with zeros, or with what was there, rather than beginning another segment. */
 const GAP = 400;
 
 /** Runs of bytes that are wanted, with few others in between. */

@@ -15,7 +15,7 @@ const PLACES: [[i64; 2]; 3] = [[1, 2], [1, 3], [4, 5]];
 /// Ends that are tried in place of those that are left out: in place of 0 the reciprocal.
 const ENDS: [i64; 3] = [64, 16, 4];
 
-/// Up to so many ε a bound is named, and no shorter range is tried.
+/// A bound of at most this many ε is named, and no shorter range is tried.
 const SMALL: i64 = 1000;
 
 /// What is said in place of a bound of a function, or of points where there is none, after `no bound`.
