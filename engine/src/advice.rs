@@ -1,6 +1,8 @@
 //! What was probably meant, and what to write instead.
 
+use crate::ascii::lowercase;
 use basis_prover::collections::list::Listed;
+
 /// The candidate that differs least from `word`, if it is near enough to be meant (Damerau–Levenshtein).
 pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let length = word.chars().count();
@@ -10,12 +12,12 @@ pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     if exact.is_some() || limit == 0 {
         return exact.copied();
     }
-    let word = word.to_lowercase();
+    let word = lowercase(word);
     let mut best: Option<(usize, &str)> = None;
     // In a spec with thousands of names the last ones are not looked at.
     let mut left = MAX_COMPARED;
     for candidate in candidates {
-        let other = candidate.to_lowercase().chars().count();
+        let other = candidate.chars().count();
         if other.abs_diff(length) > limit {
             continue;
         }
@@ -23,7 +25,7 @@ pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
         if left == 0 {
             break;
         }
-        let distance = distance(&word, &candidate.to_lowercase());
+        let distance = distance(&word, &lowercase(candidate));
         if distance <= limit && best.is_none_or(|(least, _)| distance < least) {
             best = Some((distance, candidate));
         }

@@ -31,6 +31,7 @@ pub mod algebra;
 pub mod ascii;
 pub mod claim;
 pub mod continuation;
+mod decimals;
 pub mod diagnostic;
 #[cfg(any(test, feature = "tools"))]
 pub mod emit;

@@ -2,6 +2,7 @@
 
 use super::Language;
 use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::decimals;
 use crate::plan::Input;
 use crate::steps::{Step, Steps};
 
@@ -159,14 +160,12 @@ fn is_power_of_two(value: &Rational) -> bool {
 /// The shortest decimal that a program reads as the `f64` nearest to a number ≥ 0, with a decimal point: `0.25`,
 /// `3.0`, `1e-30`.
 pub fn decimal(value: &Rational) -> String {
-    let text = format!("{:?}", value.to_f64());
-    if text.contains(['.', 'e', 'i', 'N']) { text } else { text + ".0" }
+    decimals::of_f64(value.to_f64())
 }
 
 /// As [`decimal`] for the `f32` nearest to that `f64`.
 pub fn decimal_f32(value: &Rational) -> String {
-    let text = format!("{:?}", value.to_f64() as f32);
-    if text.contains(['.', 'e', 'i', 'N']) { text } else { text + ".0" }
+    decimals::of_f32(value.to_f64() as f32)
 }
 
 #[cfg(test)]

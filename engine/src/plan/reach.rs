@@ -34,6 +34,7 @@
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::decimals;
 use crate::model::angle::{Angle, Kind};
 use crate::model::{Family, Parameter};
 use crate::plan::corners::{Corners, by_distances, tangent_ends};
@@ -411,5 +412,5 @@ fn short(x: &Rational) -> Rational {
 /// A reach as a decimal number.
 pub fn decimal(reach: &Rational) -> String {
     // It has few binary digits.
-    reach.to_f64().to_string()
+    decimals::of_float(reach.to_f64()).trim_end_matches(".0").to_string()
 }

@@ -1,7 +1,8 @@
 //! The verdicts of one version of a text, decided piece by piece.
 
 use core::ops::Range;
-use std::collections::BTreeMap;
+
+use basis_prover::collections::map::SortedMap;
 
 use crate::claim::Claim;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
@@ -92,7 +93,7 @@ impl Analysis {
     /// such as those of many orders, the first stands for all.
     pub fn messages(&self) -> Vec<Diagnostic> {
         let mut claims: Vec<(Diagnostic, usize)> = Vec::new();
-        let mut known = BTreeMap::new();
+        let mut known = SortedMap::new();
         for item in &self.items {
             let verdicts = item.claims.iter().filter_map(|(claim, verdict)| Some((claim, verdict.as_ref()?)));
             for (claim, verdict) in verdicts {
@@ -100,7 +101,7 @@ impl Analysis {
                 let kind = (matches!(verdict, Verdict::Proved(_)), matches!(verdict, Verdict::Refuted(_)));
                 let first = match &claim.place {
                     Place::Text(id, range) => {
-                        *known.entry((*id, range.start, range.end, kind)).or_insert(claims.len())
+                        *known.get_or_insert_with((*id, range.start, range.end, kind), || claims.len())
                     }
                     Place::Token(..) => claims.len(),
                 };
@@ -126,14 +127,14 @@ impl Analysis {
 
     /// The statements that make claims, in the order of the text.
     pub fn statements(&self) -> Vec<Statement<'_>> {
-        let mut all: BTreeMap<(usize, usize), Statement<'_>> = BTreeMap::new();
+        let mut all: SortedMap<(usize, usize), Statement<'_>> = SortedMap::new();
         for item in &self.items {
             for (claim, verdict) in &item.claims {
                 let Place::Text(id, place) = &claim.place else { continue };
                 if Some(*id) != self.main() {
                     continue;
                 }
-                let statement = all.entry((place.start, place.end)).or_insert_with(|| Statement {
+                let statement = all.get_or_insert_with((place.start, place.end), || Statement {
                     place: place.clone(),
                     decided: Vec::new(),
                     complete: true,
@@ -144,7 +145,7 @@ impl Analysis {
                 }
             }
         }
-        all.into_values().collect()
+        all.into_values()
     }
 
     /// A family in its lowest order.

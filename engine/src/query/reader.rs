@@ -4,9 +4,9 @@ use super::document::{Document, Entry, Import, Occurrence, Role, Symbol, SymbolK
 use super::lex::{Token, TokenKind, tokens};
 use super::vocabulary::word;
 use core::ops::Range;
-use std::collections::BTreeMap;
 
-use basis_prover::collections::sort::sort_by_key;
+use basis_prover::collections::list::Listed;
+use basis_prover::collections::sort::{sort_by_key, sort_unique};
 
 impl Document {
     /// Reads a text; whatever it is, there is an answer.
@@ -15,7 +15,11 @@ impl Document {
         let tokens = tokens(&text);
         let code = (0..tokens.len()).filter(|k| !tokens[*k].is_comment()).collect();
         let document = Self { text, tokens, ..Self::default() };
-        let mut reader = Reader { document, code, known: BTreeMap::new() };
+        let words = document.tokens.iter().filter(|token| !token.is_comment());
+        let mut names = words.map(|token| token.text(&document.text).to_string()).listed();
+        sort_unique(&mut names);
+        let known = vec![Vec::new(); names.len()];
+        let mut reader = Reader { document, code, names, known };
         reader.items();
         reader.names();
         reader.document
@@ -26,8 +30,10 @@ struct Reader {
     document: Document,
     /// The positions of the tokens that are not comments.
     code: Vec<usize>,
-    /// The symbols of each name, in the order in which they were declared.
-    known: BTreeMap<String, Vec<usize>>,
+    /// All words of the text, ascending.
+    names: Vec<String>,
+    /// The symbols of each of them, in the order in which they were declared.
+    known: Vec<Vec<usize>>,
 }
 
 impl Reader {
@@ -97,14 +103,17 @@ impl Reader {
         let symbol =
             Symbol { name: self.text(name).to_string(), kind, place: self.range(name), scope, whole, doc };
         let position = self.document.symbols.len();
-        self.known.entry(symbol.name.clone()).or_default().push(position);
+        if let Ok(k) = self.names.binary_search(&symbol.name) {
+            self.known[k].push(position);
+        }
         self.document.symbols.push(symbol);
         position
     }
 
     /// The symbols of a name, the last one first.
     fn named(&self, name: &str) -> impl Iterator<Item = usize> {
-        self.known.get(name).into_iter().flatten().rev().copied()
+        let k = self.names.binary_search_by(|known| known.as_str().cmp(name)).ok();
+        k.into_iter().flat_map(|k| &self.known[k]).rev().copied()
     }
 
     /// The symbol of a name that is declared in an item.

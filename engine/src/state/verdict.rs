@@ -3,8 +3,9 @@
 use basis_kernel::{Proof, Refutation, Statement};
 use basis_prover::{Coordinate, Counterexample, Symmetries};
 
-use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::algebra::rational::Rational;
 use crate::claim::Expected;
+use crate::decimals;
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// A statement with what it is about.
@@ -118,12 +119,7 @@ pub struct Witness {
 
 /// A number that stands for one next to it.
 pub(super) fn about(x: &Rational) -> String {
-    format!("about {}", decimal(x.to_f64()))
-}
-
-/// A number for reading.
-pub(super) fn decimal(x: f64) -> String {
-    if x.abs() < 1e-3 { format!("{x:.3e}") } else { format!("{x:.6}") }
+    format!("about {}", decimals::readable(x, 6, 3))
 }
 
 /// More points than this are not all written if most of them are zero.

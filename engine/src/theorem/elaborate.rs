@@ -10,6 +10,7 @@ use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{Range, Region};
+use crate::ascii::lowercase;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::Library;
@@ -322,7 +323,7 @@ impl Elaboration<'_> {
             )
         };
         self.scope.undeclared.borrow_mut().push(written.clone());
-        let other_case = patches.iter().find(|p| p.to_lowercase() == written.to_lowercase());
+        let other_case = patches.iter().find(|p| lowercase(p) == lowercase(&written));
         self.scope.report(error.help(match other_case {
             Some(near) => format!("did you mean `{near}`?"),
             None => did_you_mean(&written, &patches, &otherwise),

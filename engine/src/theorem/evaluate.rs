@@ -9,6 +9,7 @@ use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::ascii;
 use crate::model::formula::print::Printer;
 use crate::model::words::BUILTINS;
 use crate::plural::here;
@@ -443,7 +444,7 @@ impl Elaboration<'_> {
             let curves = self.patches.iter().map(|p| p.name.as_str());
             let known: Vec<&str> = functions.iter().copied().chain(curves).listed();
             let help = did_you_mean(name, &known, &|| {
-                if name.starts_with(char::is_uppercase) {
+                if ascii::is_capitalised(name) {
                     return format!("declare it: `curve {name} = Bernstein(3);`");
                 }
                 format!(

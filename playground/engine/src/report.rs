@@ -79,12 +79,13 @@ fn statement(analysis: &Analysis, statement: &Statement<'_>, places: &Places) ->
     let count = |name: &str| statement.decided.iter().filter(|(_, _, v)| word(v) == name).count();
     let unexpected = statement.decided.iter().filter(|(_, claim, v)| !as_declared(claim.expected, v)).count();
     // What is not as declared first, then what is false, then the rest.
-    let rank = |(_, claim, verdict): &&(&Subject, &Claim, &Verdict)| {
-        (as_declared(claim.expected, verdict), word(verdict) == "proved")
+    let rank = |(_, claim, verdict): &(&Subject, &Claim, &Verdict)| match word(verdict) {
+        _ if !as_declared(claim.expected, verdict) => 0,
+        "proved" => 2,
+        _ => 1,
     };
-    let mut shown: Vec<_> = statement.decided.iter().collect();
-    shown.sort_by_key(rank);
-    let claims: Vec<Value> = shown.iter().take(MAX_CLAIMS).map(|one| claim(analysis, one)).collect();
+    let shown = (0..3).flat_map(|k| statement.decided.iter().filter(move |one| rank(one) == k));
+    let claims: Vec<Value> = shown.take(MAX_CLAIMS).map(|one| claim(analysis, one)).collect();
     let first = statement.decided.first();
     json!({
         "from": places.at(statement.place.start),

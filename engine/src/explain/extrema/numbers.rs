@@ -2,13 +2,14 @@
 
 use core::cmp::Ordering;
 
-use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::algebra::rational::Rational;
 use crate::algebra::real::algebraic::{Algebraic, number};
 use crate::algebra::real::field::{Element, Field};
 use crate::algebra::real::reading::{in_square_roots, of_least_degree};
 use crate::algebra::real::roots::isolate;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::decimals;
 use basis_prover::Coordinate;
 
 /// The zeros of a polynomial strictly between two numbers; none of the polynomial 0.
@@ -129,18 +130,12 @@ pub(super) fn approximation(x: &Coordinate) -> Rational {
 
 /// The decimal of a number that is computed with approximations.
 pub(super) fn about(x: &Rational) -> String {
-    format!("about {}", digits(x))
+    format!("about {}", decimals::readable(x, 9, 8))
 }
 
 /// Nine digits of a number.
 fn decimal(x: &Algebraic) -> String {
-    digits(&approximation(&Coordinate::Algebraic(x.clone())))
-}
-
-/// Nine digits behind the point, or of a small number nine digits.
-fn digits(x: &Rational) -> String {
-    let x = x.to_f64();
-    if x == 0.0 || x.abs() >= 1e-3 { format!("{x:.9}") } else { format!("{x:.8e}") }
+    decimals::readable(&approximation(&Coordinate::Algebraic(x.clone())), 9, 8)
 }
 
 /// A fraction with a power of ten below the line as a decimal.

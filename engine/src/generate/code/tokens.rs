@@ -5,6 +5,7 @@ use quote::{ToTokens, quote_spanned};
 
 use super::floats;
 use crate::algebra::rational::Rational;
+use crate::decimals;
 
 /// Locals of the emitted code do not see names of the caller.
 pub(in crate::generate) fn site() -> Span {
@@ -24,7 +25,7 @@ pub(in crate::generate) fn number(value: &Rational) -> TokenStream {
 /// The magnitude of a number as a literal; a name without meaning where there is no such float, [`floats`].
 pub(in crate::generate) fn float(value: &Rational) -> TokenStream {
     match floats::nearest(&value.abs()) {
-        Some(value) => Literal::f64_unsuffixed(value).to_token_stream(),
+        Some(value) => decimals::of_float(value).parse::<Literal>().expect("a decimal").to_token_stream(),
         None => Ident::new(floats::MISSING, site()).to_token_stream(),
     }
 }

@@ -11,8 +11,9 @@ use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
-use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::decimals;
 use crate::model::angle::enclosure::{self, Anchor, From};
 use crate::model::angle::{Analytic, Angle, Kind};
 use crate::model::chart::{self, Constraint};
@@ -108,7 +109,7 @@ impl Scope<'_> {
             return Some(format!("{} = {x}", angle.name));
         }
         let number = self.analytic.number(&place)?;
-        Some(format!("{} = {:.6} (rounded)", angle.name, number.to_f64()))
+        Some(format!("{} = {} (rounded)", angle.name, decimals::fixed(&number, 6)))
     }
 
     /// The end of the range of a variable beside its sine or exponential, if it belongs to it, at which a denominator is 0.

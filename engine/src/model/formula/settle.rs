@@ -11,7 +11,8 @@ use basis_prover::Coordinate;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range};
-use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::algebra::rational::Rational;
+use crate::decimals;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::model::angle::{Angle, Kind, without_brackets};
 use crate::model::budget::{SPLIT, TooLarge};
@@ -205,7 +206,7 @@ impl Scope<'_> {
                 // With π and exp(r) the point is only known between their bounds.
                 let rough = match (&only[..], roughly && along_is_open) {
                     ([(var, Coordinate::Rational(x))], true) => {
-                        Some(format!("near {} = {:.6}", self.names[var.0], x.to_f64()))
+                        Some(format!("near {} = {}", self.names[var.0], decimals::fixed(x, 6)))
                     }
                     _ => None,
                 };

@@ -16,6 +16,7 @@ use super::{Barycentric, Family, Function, Library};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::ascii;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::model::words::PI;
 use crate::source::SourceId;
@@ -421,7 +422,7 @@ impl Scope<'_> {
         self.unread.first().is_some_and(String::is_empty)
             || self.unread.binary_search_by(|unread| unread.as_str().cmp(name)).is_ok()
             || self.library.is_unread(self.unit, name)
-            || name.starts_with(char::is_uppercase) && self.library.lacks_a_use(self.unit)
+            || ascii::is_capitalised(name) && self.library.lacks_a_use(self.unit)
             || self.undeclared.borrow().iter().any(|known| known[..base(known)] == *name)
     }
 

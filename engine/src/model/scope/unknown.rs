@@ -4,6 +4,7 @@ use proc_macro2::Span;
 
 use super::{Scope, Stage, Subject};
 use crate::advice::{closest, did_you_mean};
+use crate::ascii::lowercase;
 use crate::model::words::{
     BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, FUNCTIONS, HYPERBOLIC, OTHER_NAMES, PI, VARIABLES,
     is_transcendental,
@@ -158,7 +159,7 @@ impl Scope<'_> {
 
     /// Whether a name without a meaning is that of a function of the language but for its capital letters, as in `Sin[t]`.
     pub(crate) fn is_capitalised(&self, name: &str) -> bool {
-        let small = name.to_lowercase();
+        let small = lowercase(name);
         small != name
             && (BUILTINS.contains(&small.as_str()) || is_transcendental(&small))
             && name != self.function_name
@@ -179,7 +180,7 @@ impl Scope<'_> {
         if self.is_capitalised(name) {
             self.undeclared.borrow_mut().push(name.to_string());
             let error = self.error(span, format!("there is no function `{name}`"));
-            return self.report(error.help(format!("write `{}(…)`", name.to_lowercase())));
+            return self.report(error.help(format!("write `{}(…)`", lowercase(name))));
         }
         let families = self.library.visible(self.unit);
         let known: Vec<&str> = BUILTINS.iter().copied().chain(families.iter().map(String::as_str)).listed();

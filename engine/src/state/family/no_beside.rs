@@ -83,7 +83,7 @@ pub(super) fn about_number(_: &Family, _: &Fraction, value: &Rational) -> Ration
     value.clone()
 }
 
-pub(super) fn about(_: &Family, _: &Family, _: &[(Var, Rational)]) -> Vec<(String, f64)> {
+pub(super) fn about(_: &Family, _: &Family, _: &[(Var, Rational)]) -> Vec<(String, Rational)> {
     Vec::new()
 }
 

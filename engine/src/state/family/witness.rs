@@ -10,6 +10,7 @@ use super::{beside, identity, independent, with_numbers, without_numbers};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::claim::{ClaimKind, Comparison, Difference};
+use crate::decimals;
 use crate::model::angle::Angle;
 use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
@@ -92,7 +93,7 @@ pub(super) fn witness(
     });
     for (name, x) in beside::about(family, there, &rational.listed()) {
         if !witness.idle.contains(&name) {
-            witness.notes.push(format!("{name} is about {x:.6} there"));
+            witness.notes.push(format!("{name} is about {} there", decimals::fixed(&x, 6)));
         }
     }
     witness

@@ -12,7 +12,7 @@ use super::{Sample, combination, sample, values};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
-use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
 use crate::model::angle::enclosure::{Anchor, From, row_without};
@@ -324,7 +324,7 @@ pub(in crate::state::family) fn about(
     family: &Family,
     there: &Family,
     point: &[(Var, Rational)],
-) -> Vec<(String, f64)> {
+) -> Vec<(String, Rational)> {
     values::about(there, &super::rational_part(family, point))
 }
 
@@ -378,15 +378,13 @@ fn of_equation(family: &Family, found: &Counterexample) -> Option<String> {
     let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
     let text = numbers_written(family, &value.display(&family.names));
     let number = || {
-        let exact = family.analytic.number(&value).map(|x| x.to_f64());
-        exact.or_else(|| values::decimal_at(family, &rational, &value))
+        let exact = family.analytic.number(&value);
+        exact.or_else(|| values::about_value(family, &rational, &value))
     };
     // A parameter beside its sine, which is a number here, says nothing about the size.
     let open = family.analytic.angles.iter().any(|a| a.itself != a.var && value.depends_on(a.itself));
-    let about = (open || text.len() > LONGEST)
-        .then(number)
-        .flatten()
-        .map(|x| format!("about {}", crate::state::verdict::decimal(x)));
+    let about =
+        (open || text.len() > LONGEST).then(number).flatten().map(|x| crate::state::verdict::about(&x));
     Some(match about {
         Some(about) if text.len() > LONGEST => about,
         Some(about) => format!("{text} ({about})"),

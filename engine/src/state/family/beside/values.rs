@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
-use crate::algebra::rational::{Rational, ToFloat as _};
+use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::model::angle::enclosure::inverse;
@@ -220,7 +220,7 @@ pub(super) fn cost(family: &Family, f: &Fraction) -> u64 {
 
 /// About which values the variables have at a point that is named by a tangent between those at the ends of a range: their
 /// names and values.
-pub(in crate::state) fn about(family: &Family, point: &Values) -> Vec<(String, f64)> {
+pub(in crate::state) fn about(family: &Family, point: &Values) -> Vec<(String, Rational)> {
     let Some(found) = enclosures(family, point) else { return Vec::new() };
     let scaled = |angle: &&Angle| {
         let direct = angle.low.is_zero() && angle.width.as_constant().is_some_and(|w| w == Rational::ONE);
@@ -231,17 +231,17 @@ pub(in crate::state) fn about(family: &Family, point: &Values) -> Vec<(String, f
             return None; // an end, which is named
         }
         let (low, high) = &found.between.iter().find(|(var, _)| *var == angle.itself)?.1;
-        Some((angle.name.clone(), (low + high).to_f64() / 2.0))
+        Some((angle.name.clone(), &(low + high) * &Rational::new(1, 2)))
     };
     family.analytic.angles.iter().filter(scaled).filter_map(of).listed()
 }
 
 /// About which value a function has at a point, where its enclosure tells.
-pub(super) fn decimal_at(family: &Family, point: &Values, f: &Fraction) -> Option<f64> {
+pub(super) fn about_value(family: &Family, point: &Values, f: &Fraction) -> Option<Rational> {
     let found = enclosures(family, point)?;
     let f = found.exact.iter().rev().try_fold(f.clone(), |f, (var, x)| put(&f, *var, x))?;
     let (low, high) = between(&f, point, &found.between)?;
-    Some((&low + &high).to_f64() / 2.0)
+    Some(&(&low + &high) * &Rational::new(1, 2))
 }
 
 /// Numbers between which a function lies at a point of the domain where the variable that stands for a tangent, and the angle
