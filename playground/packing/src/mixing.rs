@@ -25,12 +25,16 @@ const FIRST: usize = 8 << 10;
 const BLOCKS: usize = 64 << 10;
 const BLOCK: usize = 256;
 const SLOTS: usize = BLOCKS * BLOCK;
-/// Of a slot, which has a probability of 16 bits, 10 bits of the context that it belongs to, and a count up to `LIMIT`.
+/// Of a slot, which has a probability of 16 bits, 10 bits of the context that it belongs to, and a count up to its limit.
 const OWNER: u32 = 0xffc0;
 const COUNT: u32 = 0x3f;
 /// One half, never seen.
 const FRESH: u32 = 0x8000_0000;
-const LIMIT: u32 = 7;
+/// The more has been counted, the less a decision moves the probability. Contexts that tell of one place forget soon; what comes
+/// after many places, or after a repetition, is what it was.
+const SOON: u32 = 7;
+const LATE: u32 = 62;
+const LIMITS: [u32; WIDTH] = [LATE, SOON, LATE, LATE, SOON, SOON, SOON, SOON, SOON, LATE, SOON, SOON];
 /// A slot that was seen more often than this is not given to another context at once.
 const OFTEN: u32 = 5;
 /// How far weights move at first and in the end. With each decision, `SETTLE` of what is between is left behind.
@@ -241,7 +245,7 @@ impl<C: Coder> Bytes for Mixer<C> {
                 let rate = (32767.5 / (count[i] + 1.5)) as i32;
                 let p = (slot[i] >> 16) as i32;
                 let p = p + (((goal - p) * rate) >> 15);
-                let more = u32::from(slot[i] & COUNT < LIMIT);
+                let more = u32::from(slot[i] & COUNT < LIMITS[i]);
                 slot[i] = ((p as u32) << 16 | slot[i] & 0xffff) + more;
                 // What was seen often in another context stays for a while.
                 let stays = held[i] & OWNER != owner[i] && held[i] & COUNT > OFTEN;
