@@ -13,7 +13,7 @@ use basis_runtime::bspline::{
 };
 use basis_runtime::laws::{Checks, Law, Place, Violation};
 use basis_runtime::{
-    Area, BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact,
+    AnyCurve, Area, BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact,
     CountError, Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity,
     EdgePair, Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame,
     GridCorners, GridFit, Isocurve, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh,
@@ -396,6 +396,7 @@ fn all_else_is_shared() {
     error::<SvgError>();
     error::<ConstructionError>();
     shared::<SvgMistake>();
+    shared::<AnyCurve<P>>();
     shared::<Enclosed<P>>();
     shared::<Closest<P>>();
     shared::<Area<f64>>();

@@ -94,13 +94,13 @@ impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&Curve<B, P>> for P
 /// A path of one piece. A segment that does not start where the one before ends starts there nevertheless, as segments
 /// of a path do. Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if the segments are no curves in the
 /// plane of degree up to 3.
-#[cfg(feature = "alloc")]
-impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&crate::PiecewiseCurve<B, P>>
+#[cfg(feature = "geometry")]
+impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&crate::PiecewiseCurve<Curve<B, P>>>
     for kurbo::BezPath
 {
     type Error = CurveError;
 
-    fn try_from(curve: &crate::PiecewiseCurve<B, P>) -> Result<Self, CurveError> {
+    fn try_from(curve: &crate::PiecewiseCurve<Curve<B, P>>) -> Result<Self, CurveError> {
         let mut path = Self::new();
         for segment in curve.segments() {
             let segment: PathSeg = segment.try_into()?;

@@ -12,8 +12,6 @@ mod length;
 #[cfg(feature = "alloc")]
 mod nearest;
 mod parts;
-#[cfg(feature = "alloc")]
-mod piecewise;
 mod slices;
 
 use core::fmt::{self, Debug, Formatter};
@@ -38,8 +36,6 @@ pub use joint::Joint;
 pub(crate) use length::{ELLIPSES, RULES, Rule};
 pub use parts::{Bezier, BezierOf};
 pub(crate) use parts::{divisible, inside, nonempty};
-#[cfg(feature = "alloc")]
-pub use piecewise::PiecewiseCurve;
 pub use slices::Samples;
 pub(crate) use slices::same_length;
 

@@ -7,13 +7,13 @@ use crate::curve::backwards;
 use crate::numeric::binomial::binomial;
 use crate::vector::is_finite;
 use crate::{
-    Array, Basis, Contact, Curve, CurveError, PiecewiseCurve, Point, RationalBasis, RationalBezier,
-    RationalCurve, RationalSpline, Scalar, SpannedBasis, SpannedCurve,
+    Array, Basis, Contact, Curve, CurveError, Point, RationalBasis, RationalBezier, RationalCurve,
+    RationalSpline, Scalar, SpannedBasis, SpannedCurve,
 };
 
 /// A curve whose control points next to an end can be replaced so that it has given derivatives there: what
 /// [`ParametricCurve::continued`] and [`ParametricCurve::preceded`] move. All types with control points of their own
-/// are: [`Curve`], [`PiecewiseCurve`], [`RationalCurve`], [`SpannedCurve`], [`RationalBezier`], [`RationalSpline`],
+/// are: [`Curve`], [`PiecewiseCurve`](crate::PiecewiseCurve) of these, [`RationalCurve`], [`SpannedCurve`], [`RationalBezier`], [`RationalSpline`],
 /// [`Path`](crate::Path), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
 pub trait JoinableCurve: ParametricCurve + Sized {
     /// The highest order of contact at an end: one less than the number of control points that its derivatives can
@@ -171,38 +171,6 @@ impl<P: Point> JoinableCurve for RationalSpline<P> {
 
 fn finite<P: Point>(points: &[P]) -> Result<(), CurveError> {
     if points.iter().all(|&p| is_finite(p)) { Ok(()) } else { Err(CurveError::NotFinite) }
-}
-
-/// Only the first or the last segment is changed.
-impl<B: Basis, P: Point<Scalar = B::Scalar>> JoinableCurve for PiecewiseCurve<B, P> {
-    fn highest_contact(&self) -> usize {
-        self.segments()[0].highest_contact()
-    }
-
-    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
-        let mut segments = self.segments().to_vec();
-        segments[0] = segments[0].with_start(&in_segment::<B, P>(derivatives))?;
-        Self::new(segments)
-    }
-
-    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
-        let mut segments = self.segments().to_vec();
-        let last = segments.len() - 1;
-        segments[last] = segments[last].with_end(&in_segment::<B, P>(derivatives))?;
-        Self::new(segments)
-    }
-}
-
-/// The derivatives in the parameter of a segment, of which the unit interval of the whole curve is one.
-fn in_segment<B: Basis, P: Point<Scalar = B::Scalar>>(derivatives: &[P]) -> Vec<P> {
-    let [lo, hi] = B::domain();
-    let mut scale = P::Scalar::ONE;
-    let scaled = derivatives.iter().map(|derivative| {
-        let scaled = derivative.scale(P::Scalar::ONE / scale);
-        scale = scale * (hi - lo);
-        scaled
-    });
-    scaled.collect()
 }
 
 impl<P: Point> JoinableCurve for RationalBezier<P> {
