@@ -11,7 +11,7 @@ use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
 use crate::curve::{divisible, nonempty};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::surface::partials_by_number;
+use crate::surface::{one_for_each, partials_by_number};
 use crate::{BoundedSurface, CurveError, Edge, Nearest, Point, Scalar, Surface, SurfaceDomain, SurfacePiece};
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
@@ -410,14 +410,16 @@ impl<P: Point> Surface for BSplineSurface<P> {
 
     /// The curve `v ↦ S(u, v)` is found once for each `u`; where the `u` are dense and in order, the curves over the rows of the
     /// net once for all of them.
-    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
+    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        one_for_each([us.len(), vs.len()], out)?;
         if vs.is_empty() {
-            return;
+            return Ok(());
         }
         let mut lines = Lines::new([&self.u, &self.v], &self.net, us, vs);
         for (&u, line) in us.iter().zip(out.chunks_mut(vs.len())) {
             lines.eval(u, line);
         }
+        Ok(())
     }
 
     partials_by_number!();

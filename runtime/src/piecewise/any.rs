@@ -14,7 +14,8 @@ use crate::{CurveError, CurvePiece, Frame, Nearest, ParametricCurve, Point, Poin
 /// [`PiecewiseCurve`](crate::PiecewiseCurve), or a list of curves that can be cut.
 ///
 /// It answers everything by the methods of the curve inside, so that points and derivatives are those of its family, bit
-/// for bit; each question costs one indirect call more. It is cheap to clone: clones share the curve, which never changes.
+/// for bit; each question costs one indirect call more. It is cheap to clone: clones share the curve, which never
+/// changes.
 ///
 /// ```
 /// use basis_runtime::{AnyCurve, Bezier, ParametricCurve, RationalBezier};

@@ -7,21 +7,21 @@ use crate::vector::{is_finite, length, lerp};
 use crate::{CurveError, CurveScalar, CurveVector, Nearest, ParametricCurve, Point, Scalar};
 
 impl<C: ParametricCurve> PiecewiseCurve<C> {
-    /// The arc length of all segments; the error is at most `accuracy`. See [`ParametricCurve::arclen`](ParametricCurve::arclen).
+    /// The arc length of all segments; the error is at most `accuracy`. See [`ParametricCurve::arclen`].
     pub fn arclen(&self, accuracy: CurveScalar<C>) -> CurveScalar<C> {
         let accuracy = self.share(accuracy);
         self.segments.iter().fold(CurveScalar::<C>::ZERO, |sum, segment| sum + segment.arclen(accuracy))
     }
 
     /// The parameter up to which the curve has that length, up to `accuracy`. See
-    /// [`ParametricCurve::inv_arclen`](ParametricCurve::inv_arclen).
+    /// [`ParametricCurve::inv_arclen`].
     pub fn inv_arclen(&self, length: CurveScalar<C>, accuracy: CurveScalar<C>) -> CurveScalar<C> {
         let accuracy = self.share(accuracy);
         self.inverse(&self.lengths(accuracy), length, accuracy)
     }
 
     /// `count` points at equal distances along the curve, both ends included. See
-    /// [`ParametricCurve::samples_by_arclen`](ParametricCurve::samples_by_arclen).
+    /// [`ParametricCurve::samples_by_arclen`].
     pub fn samples_by_arclen(&self, count: usize, accuracy: CurveScalar<C>) -> Vec<C::Point> {
         let accuracy = self.share(accuracy);
         let lengths = self.lengths(accuracy);
@@ -71,7 +71,7 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
     }
 
     /// The point of the curve nearest to `point`, with the parameter of this curve. See
-    /// [`ParametricCurve::nearest`](ParametricCurve::nearest).
+    /// [`ParametricCurve::nearest`].
     pub fn nearest(&self, point: C::Point, accuracy: CurveScalar<C>) -> Option<Nearest<C::Point>> {
         let mut best: Option<Nearest<C::Point>> = None;
         // No segment is nearer than this.
@@ -92,7 +92,7 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
     }
 
     /// The smallest axis-parallel box around the curve, as its two extreme corners `[min, max]`. See
-    /// [`ParametricCurve::bounding_box`](ParametricCurve::bounding_box).
+    /// [`ParametricCurve::bounding_box`].
     pub fn bounding_box(&self) -> [C::Point; 2] {
         union(self.segments.iter().map(ParametricCurve::bounding_box))
     }
@@ -103,10 +103,10 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
     }
 
     /// The corners of a polygon that follows the curve within the tolerance; corners at joints stand once where the
-    /// segments meet exactly. See [`ParametricCurve::flatten`](ParametricCurve::flatten).
+    /// segments meet exactly. See [`ParametricCurve::flatten`].
     ///
     /// # Errors
-    /// Those of [`ParametricCurve::flatten`](ParametricCurve::flatten).
+    /// Those of [`ParametricCurve::flatten`].
     pub fn flatten(&self, tolerance: CurveScalar<C>) -> Result<Vec<C::Point>, CurveError> {
         let mut corners: Vec<C::Point> = Vec::new();
         for segment in &self.segments {
@@ -117,13 +117,13 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
         Ok(corners)
     }
 
-    /// The curvature at `u`; see [`ParametricCurve::curvature`](ParametricCurve::curvature). At a joint that of the later segment.
+    /// The curvature at `u`; see [`ParametricCurve::curvature`]. At a joint that of the later segment.
     pub fn curvature(&self, u: CurveScalar<C>) -> CurveScalar<C> {
         let (index, t) = self.locate(u);
         self.segments[index].curvature(t)
     }
 
-    /// The unit vector in which the curve goes on at `u`; see [`ParametricCurve::tangent`](ParametricCurve::tangent).
+    /// The unit vector in which the curve goes on at `u`; see [`ParametricCurve::tangent`].
     pub fn tangent(&self, u: CurveScalar<C>) -> Option<CurveVector<C>> {
         let (index, t) = self.locate(u);
         self.segments[index].tangent(t)

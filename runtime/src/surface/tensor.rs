@@ -2,10 +2,10 @@
 
 use core::fmt::{self, Debug, Formatter};
 
-use super::partials_by_number;
+use super::{one_for_each, partials_by_number};
 use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
-use crate::{Array, Basis, CountError, Curve, Form, Point, Scalar, Surface, SurfaceDomain};
+use crate::{Array, Basis, CountError, Curve, CurveError, Form, Point, Scalar, Surface, SurfaceDomain};
 
 /// The number of parameters in `v` that are evaluated together.
 const TILE: usize = 512;
@@ -174,9 +174,10 @@ where
     /// For each `u` the rows are added up once to the curve `v ↦ S(u, v)`, which is evaluated along `v` with the widest
     /// vector instructions of the processor. Results can differ from [`eval`](Surface::eval) in the last digits;
     /// corners are exact.
-    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
+    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        one_for_each([us.len(), vs.len()], out)?;
         if vs.is_empty() {
-            return;
+            return Ok(());
         }
         let mut ys = [P::Scalar::ZERO; TILE];
         for (tile, vs_here) in vs.chunks(TILE).enumerate() {
@@ -188,11 +189,10 @@ where
                 let weights = self.u_basis.values(u);
                 let terms =
                     self.rows().iter().zip(weights.as_ref()).map(|(row, &weight)| (*row.form(), weight));
-                if let Some(line) = line.get_mut(tile * TILE..) {
-                    V::Form::combination(terms).eval_into(ys, line);
-                }
+                V::Form::combination(terms).eval_into(ys, &mut line[tile * TILE..]);
             }
         }
+        Ok(())
     }
 }
 

@@ -21,7 +21,8 @@ fn quartic() -> Curve<QuarticBernstein, P2> {
     Curve::new(QuarticBernstein::new(0.5).unwrap(), [[0.0, 0.0], [0.4, 0.9], [1.0, 1.1], [1.5, 0.5]])
 }
 
-/// A quartic of one family, half of a parabola, the curve `third` and a spline of two spans, each G1 behind the one before.
+/// A quartic of one family, half of a parabola, the curve `third` and a spline of two spans, each G1 behind the one
+/// before.
 fn with_third<C>(third: &C) -> Mixed
 where
     C: JoinableCurve<Point = P2> + Debug + Send + Sync + 'static,

@@ -13,7 +13,7 @@ use crate::bspline::{
 use crate::numeric::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::surface::partials_by_number;
+use crate::surface::{one_for_each, partials_by_number};
 use crate::{BoundedSurface, CurveError, Point, Scalar, Surface, SurfaceDomain, SurfacePiece};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
@@ -231,9 +231,10 @@ impl<P: Point> Surface for NurbsSurface<P> {
         partials[i * columns + j]
     }
 
-    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
+    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        one_for_each([us.len(), vs.len()], out)?;
         if vs.is_empty() {
-            return;
+            return Ok(());
         }
         let [u, v] = [Direction::U, Direction::V].map(|direction| self.knots(direction));
         let mut lines = Lines::new([u, v], self.homogeneous.net(), us, vs);
@@ -244,6 +245,7 @@ impl<P: Point> Surface for NurbsSurface<P> {
                 *out = point.project();
             }
         }
+        Ok(())
     }
 
     partials_by_number!();

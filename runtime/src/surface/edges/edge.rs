@@ -287,7 +287,7 @@ where
     A::Point: Point3,
 {
     let mut partials = [[A::Point::zero(); 2]; 2];
-    surface.partials_into(u, v, 2, partials.as_flattened_mut());
+    surface.partials_into(u, v, 2, partials.as_flattened_mut()).ok()?;
     let [[point, along_v], [along_u, _]] = partials;
     let domain = surface.domain();
     let [width_u, width_v] = domain.widths();
