@@ -114,7 +114,7 @@ where
     for (row, &b) in surface.rows().iter().zip(weights.as_ref()) {
         let values = row.basis().values(v);
         for (&point, &c) in row.control_points().iter().zip(values.as_ref()) {
-            sum = sum.add_scaled(point, b * c);
+            sum = sum.add_weighted(point, b * c);
         }
     }
     sum

@@ -120,9 +120,9 @@
 //! # Points
 //!
 //! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam,
-//! the vectors and points of nalgebra and mint, or a type of your own. Tangents, normals, axes and directions are
-//! vectors: of points of nalgebra, mint, kurbo and lyon_geom the vectors of these libraries, otherwise the type itself
-//! ([`Point::Vector`]).
+//! the vectors and points of nalgebra and mint, or a type of your own. Differences of points, derivatives, tangents,
+//! normals, axes and directions are vectors: of points of nalgebra, mint, kurbo and lyon_geom the vectors of these
+//! libraries, otherwise the type itself ([`Point::Vector`]).
 //!
 //! # Accuracy
 //!

@@ -140,7 +140,7 @@ impl<B: Basis<Scalar = f64>> kurbo::ParamCurveFit for Curve<B, kurbo::Point> {
     fn sample_pt_deriv(&self, t: f64) -> (kurbo::Point, kurbo::Vec2) {
         let [lo, hi] = B::domain();
         let [point, velocity] = self.eval_with_derivs(from_unit([lo, hi], t));
-        (point, velocity.to_vec2() * (hi - lo))
+        (point.to_point(), velocity * (hi - lo))
     }
 
     /// Where a curve turns back at a cusp, the component that turns has an extremum.

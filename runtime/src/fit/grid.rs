@@ -309,7 +309,7 @@ fn values<P: Point>(functions: &dyn Functions, net: &Net<P>, t: &[f64]) -> Resul
     let at = |i: usize, c: usize| {
         let (first, row) = &rows[i];
         let terms = row.iter().enumerate();
-        terms.fold(P::zero(), |sum, (j, &b)| sum.add_scaled(net[[first + j, c]], P::Scalar::of(b)))
+        terms.fold(P::zero(), |sum, (j, &b)| sum.add_weighted(net[[first + j, c]], P::Scalar::of(b)))
     };
     Net::from_fn(t.len(), net.columns(), at).map_err(|_| FitError::TooFew { needed: 1, found: t.len() })
 }

@@ -46,10 +46,10 @@ pub(super) fn touching<P: Point>(
     if contact.order() > most {
         return Err(CurveError::Contact { family: "the curve", most, found: contact.order() });
     }
-    let mut derivatives = alloc::vec![P::zero(); contact.order() + 1];
+    let mut derivatives = alloc::vec![P::Vector::zero(); contact.order() + 1];
     curve.derivatives_into(t, &mut derivatives);
     contact.transform(&mut derivatives)?;
-    Ok(derivatives)
+    Ok(derivatives.into_iter().map(P::from_vector).collect())
 }
 
 /// The error for more derivatives than a curve can have.
@@ -72,7 +72,7 @@ pub(crate) fn replace_first<P: Point>(
     for (k, &derivative) in derivatives.iter().enumerate() {
         let row = row(k);
         let known = row.iter().zip(&*points).take(k);
-        let rest = known.fold(derivative, |rest, (&weight, &point)| rest.add_scaled(point, -weight));
+        let rest = known.fold(derivative, |rest, (&weight, &point)| rest.add_weighted(point, -weight));
         points[k] = P::from_components(|d| rest.component(d) / row[k]);
         if !is_finite(points[k]) {
             return Err(CurveError::NotFinite);
@@ -85,7 +85,7 @@ pub(crate) fn replace_first<P: Point>(
 pub(crate) fn numerators<P: Point>(derivatives: &[P], weights: &[P::Scalar]) -> Vec<P> {
     let of = |k: usize| {
         (0..=k).fold(P::zero(), |sum, i| {
-            sum.add_scaled(derivatives[k - i], binomial::<P::Scalar>(k, i) * weights[i])
+            sum.add_weighted(derivatives[k - i], binomial::<P::Scalar>(k, i) * weights[i])
         })
     };
     (0..derivatives.len()).map(of).collect()

@@ -35,7 +35,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for Curve<B, P> {
         reversed() -> Self::Part;
         start() -> P;
         end() -> P;
-        derivative(t: P::Scalar, order: usize) -> P;
+        derivative(t: P::Scalar, order: usize) -> P::Vector;
         tangent(t: P::Scalar) -> Option<P::Vector>;
         curvature(t: P::Scalar) -> P::Scalar;
         arclen(accuracy: P::Scalar) -> P::Scalar;
@@ -51,12 +51,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for Curve<B, P> {
     }
 
     #[inline]
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P::Vector]) {
         self.derivatives_into(t, derivatives);
     }
 
     #[inline]
-    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P::Vector; K] {
         self.eval_with_derivs(t)
     }
 

@@ -117,7 +117,7 @@ impl<P: Point> ParametricCurve for AnyCurve<P> {
     forward! { [0]
         domain() -> [P::Scalar; 2];
         eval(t: P::Scalar) -> P;
-        derivatives_into(t: P::Scalar, derivatives: &mut [P]) -> ();
+        derivatives_into(t: P::Scalar, derivatives: &mut [P::Vector]) -> ();
         pieces() -> Vec<CurvePiece>;
         parameter_of(place: f64) -> P::Scalar;
         place_of(t: P::Scalar) -> f64;
@@ -126,7 +126,7 @@ impl<P: Point> ParametricCurve for AnyCurve<P> {
         eval_checked(t: P::Scalar) -> Result<P, CurveError>;
         eval_clamped(t: P::Scalar) -> P;
         eval_into(ts: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError>;
-        derivative(t: P::Scalar, order: usize) -> P;
+        derivative(t: P::Scalar, order: usize) -> P::Vector;
         samples_into(out: &mut [P]) -> ();
         tangent(t: P::Scalar) -> Option<P::Vector>;
         extent() -> P::Scalar;

@@ -31,14 +31,15 @@ impl<P: Point, Q: Point<Scalar = P::Scalar>> Affine<P, Q> {
         let corner = |d: usize| {
             P::from_components(|k| if k == d { from.component(k) + size } else { from.component(k) })
         };
-        let column = |d: usize| image(corner(d)).minus(to).scale(P::Scalar::ONE / size);
+        let column = |d: usize| Q::from_vector(image(corner(d)).minus(to).scale(P::Scalar::ONE / size));
         let columns = (0..P::DIM).map(column).collect();
         Self { from, to, columns }
     }
 
-    fn vector(&self, vector: P) -> Q {
+    fn vector(&self, vector: P::Vector) -> Q::Vector {
         let columns = self.columns.iter().enumerate();
-        columns.fold(Q::zero(), |sum, (d, &column)| sum.add_scaled(column, vector.component(d)))
+        let sum = columns.fold(Q::zero(), |sum, (d, &c)| sum.add_weighted(c, vector.component(d)));
+        sum.to_vector()
     }
 
     fn point(&self, point: P) -> Q {
@@ -91,11 +92,14 @@ impl<P: Point, Q: Point<Scalar = P::Scalar>> ParametricCurve for Image<P, Q> {
         self.by.point(self.curve.end())
     }
 
-    fn derivatives_into(&self, t: Q::Scalar, derivatives: &mut [Q]) {
-        let mut own = alloc::vec![P::zero(); derivatives.len()];
+    fn derivatives_into(&self, t: Q::Scalar, derivatives: &mut [Q::Vector]) {
+        let mut own = alloc::vec![P::Vector::zero(); derivatives.len()];
         self.curve.derivatives_into(t, &mut own);
         for (order, (derivative, &own)) in derivatives.iter_mut().zip(&own).enumerate() {
-            *derivative = if order == 0 { self.by.point(own) } else { self.by.vector(own) };
+            *derivative = match order {
+                0 => self.by.point(P::from_vector(own)).to_vector(),
+                _ => self.by.vector(own),
+            };
         }
     }
 

@@ -12,7 +12,9 @@ use core::ops::Range;
 use crate::curve::{divisible, inside, nonempty};
 use crate::domain::{from_unit, unit};
 use crate::geometry::clamped;
-use crate::{Basis, BezierOf, Curve, CurveError, CurveScalar, Joint, ParametricCurve, Point, Scalar};
+use crate::{
+    Basis, BezierOf, Curve, CurveError, CurveScalar, CurveVector, Joint, ParametricCurve, Point, Scalar,
+};
 
 pub use any::AnyCurve;
 
@@ -141,7 +143,7 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
     }
 
     /// The point and its derivatives with respect to `u`; at a joint those of the later segment.
-    pub fn eval_with_derivs<const K: usize>(&self, u: CurveScalar<C>) -> [C::Point; K] {
+    pub fn eval_with_derivs<const K: usize>(&self, u: CurveScalar<C>) -> [CurveVector<C>; K] {
         let (index, t) = self.locate(u);
         let mut derivatives = self.segments[index].eval_with_derivs::<K>(t);
         self.in_own_parameter(index, &mut derivatives);
@@ -149,7 +151,7 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
     }
 
     /// From the derivatives of a segment in its parameter to those in the parameter of this curve.
-    fn in_own_parameter(&self, index: usize, derivatives: &mut [C::Point]) {
+    fn in_own_parameter(&self, index: usize, derivatives: &mut [CurveVector<C>]) {
         let [lo, hi] = self.segments[index].domain();
         let mut scale = CurveScalar::<C>::ONE;
         for derivative in derivatives {

@@ -44,14 +44,14 @@ impl<C: ParametricCurve> ParametricCurve for PiecewiseCurve<C> {
         nearest(point: C::Point, accuracy: CurveScalar<C>) -> Option<Nearest<C::Point>>;
     }
 
-    fn derivatives_into(&self, t: CurveScalar<C>, derivatives: &mut [C::Point]) {
+    fn derivatives_into(&self, t: CurveScalar<C>, derivatives: &mut [CurveVector<C>]) {
         let (index, local) = self.locate(t);
         self.segments[index].derivatives_into(local, derivatives);
         self.in_own_parameter(index, derivatives);
     }
 
     #[inline]
-    fn eval_with_derivs<const K: usize>(&self, t: CurveScalar<C>) -> [C::Point; K] {
+    fn eval_with_derivs<const K: usize>(&self, t: CurveScalar<C>) -> [CurveVector<C>; K] {
         self.eval_with_derivs(t)
     }
 

@@ -39,7 +39,7 @@ pub(crate) use pieces::forward_boxes;
 pub use rational::{RationalPatchOf, RationalSurface};
 pub use tensor::TensorSurface;
 
-use crate::vector::{cross, direction, largest_component, recast, safe_unit};
+use crate::vector::{cross, direction, largest_component, safe_unit};
 use crate::{CurveError, Point, Point3, Scalar};
 use limit::{limit_normal, rounding};
 
@@ -73,8 +73,9 @@ pub trait Surface {
     /// The point `S(u, v)`.
     fn eval(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Self::Point;
 
-    /// The partial derivative `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` of the orders `[i, j]`; the point itself for `[0, 0]`.
-    fn partial(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, orders: [usize; 2]) -> Self::Point;
+    /// The partial derivative `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` of the orders `[i, j]`; for `[0, 0]` the vector from the
+    /// origin to the point.
+    fn partial(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, orders: [usize; 2]) -> VectorOf<Self>;
 
     /// The partial derivatives `out[i * count + j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < count`.
     ///
@@ -85,7 +86,7 @@ pub trait Surface {
         u: ScalarOf<Self>,
         v: ScalarOf<Self>,
         count: usize,
-        out: &mut [Self::Point],
+        out: &mut [VectorOf<Self>],
     ) -> Result<(), CurveError> {
         one_for_each([count, count], out)?;
         for (n, out) in out.iter_mut().enumerate() {
@@ -94,16 +95,17 @@ pub trait Surface {
         Ok(())
     }
 
-    /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < K`; `[0][0]` is the point.
+    /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < K`; `[0][0]` is the vector from
+    /// the origin to the point, [`Point::from_vector`].
     fn eval_with_partials<const K: usize>(
         &self,
         u: ScalarOf<Self>,
         v: ScalarOf<Self>,
-    ) -> [[Self::Point; K]; K]
+    ) -> [[VectorOf<Self>; K]; K]
     where
         Self: Sized,
     {
-        let mut partials = [[Self::Point::zero(); K]; K];
+        let mut partials = [[VectorOf::<Self>::zero(); K]; K];
         let filled = self.partials_into(u, v, K, partials.as_flattened_mut());
         debug_assert_eq!(filled, Ok(()), "the slice has K² places");
         partials
@@ -187,10 +189,10 @@ pub trait Surface {
         Self::Point: Point3,
     {
         let domain = self.domain();
-        let mut first = [[Self::Point::zero(); 2]; 2];
+        let mut first = [[VectorOf::<Self>::zero(); 2]; 2];
         self.partials_into(u, v, 2, first.as_flattened_mut()).ok()?;
         regular_normal(&first, domain.widths()).or_else(|| {
-            let mut partials = [[Self::Point::zero(); 6]; 6];
+            let mut partials = [[VectorOf::<Self>::zero(); 6]; 6];
             self.partials_into(u, v, 6, partials.as_flattened_mut()).ok()?;
             limit_normal(&partials, domain, [u, v])
         })
@@ -202,7 +204,7 @@ pub trait Surface {
         Self::Point: Point3,
     {
         let widths = self.domain().widths();
-        let mut partials = [[Self::Point::zero(); 3]; 3];
+        let mut partials = [[VectorOf::<Self>::zero(); 3]; 3];
         self.partials_into(u, v, 3, partials.as_flattened_mut()).ok()?;
         let first = [[partials[0][0], partials[0][1]], [partials[1][0], partials[1][1]]];
         Curvature::new(&partials, regular_normal(&first, widths)?)
@@ -224,7 +226,7 @@ macro_rules! surface_behind {
                 (**self).eval(u, v)
             }
 
-            fn partial(&self, u: ScalarOf<T>, v: ScalarOf<T>, orders: [usize; 2]) -> T::Point {
+            fn partial(&self, u: ScalarOf<T>, v: ScalarOf<T>, orders: [usize; 2]) -> VectorOf<T> {
                 (**self).partial(u, v, orders)
             }
 
@@ -233,7 +235,7 @@ macro_rules! surface_behind {
                 u: ScalarOf<T>,
                 v: ScalarOf<T>,
                 count: usize,
-                out: &mut [T::Point],
+                out: &mut [VectorOf<T>],
             ) -> Result<(), CurveError> {
                 (**self).partials_into(u, v, count, out)
             }
@@ -280,7 +282,7 @@ macro_rules! partials_by_number {
             u: P::Scalar,
             v: P::Scalar,
             count: usize,
-            out: &mut [P],
+            out: &mut [P::Vector],
         ) -> Result<(), $crate::CurveError> {
             $crate::surface::one_for_each([count, count], out)?;
             match count {
@@ -308,11 +310,11 @@ pub(crate) fn one_for_each<T>([rows, columns]: [usize; 2], out: &[T]) -> Result<
 /// The scalar type of a surface.
 pub type ScalarOf<T> = <<T as Surface>::Point as Point>::Scalar;
 
-/// The type of the normals of a surface.
+/// The type of the partial derivatives and normals of a surface.
 pub type VectorOf<T> = <<T as Surface>::Point as Point>::Vector;
 
 /// The direction of `S_u × S_v`; `None` where it vanishes up to rounding errors, or is not finite.
-pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P::Vector> {
+pub(crate) fn regular_normal<P: Point>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P> {
     let (mut along_u, mut along_v) = (first[1][0].scale(widths[0]), first[0][1].scale(widths[1]));
     let [mut size, mut u_size, mut v_size] = [first[0][0], along_u, along_v].map(largest_component);
     size = [u_size, v_size].into_iter().fold(size, |a, b| if b > a { b } else { a });
@@ -323,5 +325,5 @@ pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar;
     }
     let product = cross(along_u, along_v);
     let error = rounding(size) * (u_size + v_size);
-    if largest_component(product) > error { direction(recast(product)) } else { None }
+    if largest_component(product) > error { direction(product) } else { None }
 }

@@ -141,9 +141,9 @@ where
         combination(self.rows().iter().map(|row| row.eval(v)).zip(weights.as_ref().iter().copied()))
     }
 
-    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P {
+    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P::Vector {
         match orders {
-            [0, 0] => self.eval(u, v),
+            [0, 0] => self.eval(u, v).to_vector(),
             [i, j] => Curve::new(self.u_basis, U::Points::from_fn(|r| self.rows()[r].derivative(v, j)))
                 .derivative(u, i),
         }
@@ -152,13 +152,13 @@ where
     partials_by_number!();
 
     #[inline]
-    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
-        let rows = U::Points::<[P; K]>::from_fn(|i| self.rows()[i].eval_with_derivs(v));
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P::Vector; K]; K] {
+        let rows = U::Points::<[P::Vector; K]>::from_fn(|i| self.rows()[i].eval_with_derivs(v));
         let [_, x] = unit(U::domain(), u);
         let inverse_width = inverse_width(U::domain());
-        let mut partials = [[P::zero(); K]; K];
+        let mut partials = [[P::Vector::zero(); K]; K];
         for j in 0..K {
-            let along = self.u_basis.bind(&U::Points::<P>::from_fn(|i| rows.as_ref()[i][j]));
+            let along = self.u_basis.bind(&U::Points::<P::Vector>::from_fn(|i| rows.as_ref()[i][j]));
             let mut scale = P::Scalar::ONE;
             for (row, derivative) in partials.iter_mut().zip(along.eval_with_derivs::<K>(x)) {
                 row[j] = derivative.scale(scale);
@@ -166,7 +166,7 @@ where
             }
         }
         if K > 0 {
-            partials[0][0] = self.eval(u, v);
+            partials[0][0] = self.eval(u, v).to_vector();
         }
         partials
     }

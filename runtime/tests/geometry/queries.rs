@@ -27,7 +27,11 @@ impl<C: ParametricCurve> ParametricCurve for Plain<C> {
         self.0.eval(t)
     }
 
-    fn derivatives_into(&self, t: <C::Point as Point>::Scalar, derivatives: &mut [C::Point]) {
+    fn derivatives_into(
+        &self,
+        t: <C::Point as Point>::Scalar,
+        derivatives: &mut [<C::Point as Point>::Vector],
+    ) {
         self.0.derivatives_into(t, derivatives);
     }
 

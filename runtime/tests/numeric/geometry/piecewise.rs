@@ -131,7 +131,7 @@ fn one_parameter_runs_through_all_segments() {
     assert!(curve.samples(5).eq([0.0, 0.5, 1.0, 1.5, 2.0].map(|u| curve.eval(u))));
     assert_eq!(PiecewiseCurve::<Curve<QuarticBernstein, [f64; 2]>>::new(vec![]), Err(CurveError::NoSegments));
     // Derivatives are those with respect to the common parameter.
-    let line = PiecewiseCurve::from(Curve::new(Linear::default(), [1.0, 7.0]));
+    let line = PiecewiseCurve::from(Curve::new(Linear::default(), [1.0_f64, 7.0]));
     let [point, velocity] = line.eval_with_derivs(0.5);
     assert!((point - 4.0_f64).abs() < 1e-14 && (velocity - 6.0_f64).abs() < 1e-14);
 }
