@@ -254,7 +254,7 @@ pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samp
 pub use elements::{Entities, Entity, Quadrature, QuadratureError, Tabulation};
 pub use error::{CountError, ShapeError};
 #[cfg(feature = "bspline")]
-pub use fit::{Fit, FitEnd, Fitted, FittedSurface, GridCorners, GridFit};
+pub use fit::{Fit, FitEnd, Fitted, FittedSurface, GridEnd, GridFit};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
 pub use geometry::{

@@ -106,6 +106,7 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
 
     /// The segment of a parameter and the parameter of that segment. Parameters outside of the domain belong to the
     /// first and the last segment, which are continued; NaN belongs to the first.
+    #[inline]
     pub fn locate(&self, u: CurveScalar<C>) -> (usize, CurveScalar<C>) {
         let last = self.segments.len() - 1;
         let u_f64 = u.to_f64();
@@ -123,6 +124,7 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
 
     /// The point at `u`. Parameters outside of the domain continue the first and the last segment; if `u` is NaN so is
     /// the point.
+    #[inline]
     pub fn eval(&self, u: CurveScalar<C>) -> C::Point {
         let (index, t) = self.locate(u);
         self.segments[index].eval(t)
@@ -143,6 +145,7 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
     }
 
     /// The point and its derivatives with respect to `u`; at a joint those of the later segment.
+    #[inline]
     pub fn eval_with_derivs<const K: usize>(&self, u: CurveScalar<C>) -> [CurveVector<C>; K] {
         let (index, t) = self.locate(u);
         let mut derivatives = self.segments[index].eval_with_derivs::<K>(t);
@@ -151,6 +154,7 @@ impl<C: ParametricCurve> PiecewiseCurve<C> {
     }
 
     /// From the derivatives of a segment in its parameter to those in the parameter of this curve.
+    #[inline]
     fn in_own_parameter(&self, index: usize, derivatives: &mut [CurveVector<C>]) {
         let [lo, hi] = self.segments[index].domain();
         let mut scale = CurveScalar::<C>::ONE;
