@@ -63,8 +63,8 @@
 //! `geometry`), whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
 //! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), [`RationalCurve`], [`RationalBezier`],
 //! [`RationalSpline`], [`SpannedCurve`], and [`Path`], which holds segments of several types. The types without a
-//! column, [`AnyCurve`] too, answer all of it as well; an [`Isocurve`] has no control points of its own to be moved or mapped. Lists of
-//! curves of several types are `Vec<AnyCurve<P>>`, or `Vec<Box<dyn ParametricCurve<Point = P>>>` if none is cut.
+//! column, [`AnyCurve`] too, answer all of it as well; an [`Isocurve`] has no control points of its own to be moved or
+//! mapped. Lists of curves of several types are `Vec<AnyCurve<P>>`, or `Vec<Box<dyn ParametricCurve<Point = P>>>` if none is cut.
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | [`PiecewiseCurve`] of [`AnyCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
 //! | --- | --- | --- | --- | --- | --- | --- |

@@ -147,11 +147,10 @@ impl<B: Basis<Scalar = f64>> kurbo::ParamCurveFit for Curve<B, kurbo::Point> {
     fn break_cusp(&self, range: core::ops::Range<f64>) -> Option<f64> {
         let [lo, hi] = B::domain();
         let velocities = self.hodograph();
-        let largest =
-            velocities.control_points().iter().fold(0.0, |largest, v| v.to_vec2().hypot().max(largest));
+        let largest = velocities.control_points().iter().fold(0.0, |largest, v| v.hypot().max(largest));
         let margin = 1e-6 * (range.end - range.start);
         let inside = |&t: &f64| t > range.start + margin && t < range.end - margin;
-        let stops = |&t: &f64| velocities.eval(t).to_vec2().hypot() <= 1e-7 * largest;
+        let stops = |&t: &f64| velocities.eval(t).hypot() <= 1e-7 * largest;
         self.extrema().into_iter().map(|t| (t - lo) / (hi - lo)).filter(inside).find(stops)
     }
 }

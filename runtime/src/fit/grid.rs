@@ -100,8 +100,9 @@ impl<'a, P: Point> GridFit<'a, P> {
         self
     }
 
-    /// With these demands on the edges: `ends[0]` on those at the start and the end of `u`, `ends[1]` on those of `v`. Derivatives
-    /// across an edge with directions are as long as those of curves that are fitted to the lines of the grid alone.
+    /// With these demands on the edges: `ends[0]` on those at the start and the end of `u`, `ends[1]` on those of `v`.
+    /// Derivatives across an edge with directions are as long as those of curves that are fitted to the lines of the grid
+    /// alone.
     ///
     /// ```
     /// use basis_runtime::bspline::Net;

@@ -48,7 +48,7 @@ impl<P: Point> Lines<'_, P> {
     }
 
     /// What the lines of a direction, the columns of the net, have at both ends: derivatives with the directions that were
-    /// asked for, of the length that the curve over that line alone has.
+    /// asked for, as long as that of the curve over that line alone.
     pub(super) fn known(
         &self,
         direction: usize,
@@ -141,8 +141,8 @@ impl<P: Point> Lines<'_, P> {
 
     /// The control points along the first direction of the derivatives across an edge of the second one.
     ///
-    /// At a corner with an edge that has one direction all along it, the derivative of these, the mixed one of the surface, has
-    /// that direction as well, and is zero if the two edges have different ones.
+    /// At a corner with an edge that has one direction all along it, the derivative of these, the mixed one of the surface,
+    /// has that direction as well, and is zero if the two edges have different ones.
     pub(super) fn along(
         &self,
         functions: &dyn Functions,
@@ -175,8 +175,8 @@ impl<P: Point> Lines<'_, P> {
         Ok(fitted.as_slice().to_vec())
     }
 
-    /// Whether the surface crosses the edges of a direction in the directions that were asked for, and not in the opposite ones;
-    /// the rows of the net belong to that direction.
+    /// Whether the surface crosses the edges of a direction in the directions that were asked for, and not in the opposite
+    /// ones; the rows of the net belong to that direction.
     pub(super) fn arrives(
         &self,
         direction: usize,

@@ -1,5 +1,5 @@
-//! Shape values of surfaces as unknowns: Gauss and Newton's method with the damping of Levenberg and Marquardt, in the shape
-//! values alone, since the best control points follow from them.
+//! Shape values of surfaces as unknowns: Gauss and Newton's method with the damping of Levenberg and Marquardt, in the
+//! shape values alone, since the best control points follow from them.
 
 use alloc::vec;
 use alloc::vec::Vec;

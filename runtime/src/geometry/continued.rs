@@ -13,8 +13,8 @@ use crate::{
 
 /// A curve whose control points next to an end can be replaced so that it has given derivatives there: what
 /// [`ParametricCurve::continued`] and [`ParametricCurve::preceded`] move. All types with control points of their own
-/// are: [`Curve`], [`PiecewiseCurve`](crate::PiecewiseCurve) of these, [`RationalCurve`], [`SpannedCurve`], [`RationalBezier`], [`RationalSpline`],
-/// [`Path`](crate::Path), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
+/// are: [`Curve`], [`PiecewiseCurve`](crate::PiecewiseCurve) of these, [`RationalCurve`], [`SpannedCurve`],
+/// [`RationalBezier`], [`RationalSpline`], [`Path`](crate::Path), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
 pub trait JoinableCurve: ParametricCurve + Sized {
     /// The highest order of contact at an end: one less than the number of control points that its derivatives can
     /// determine.
