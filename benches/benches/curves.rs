@@ -99,7 +99,7 @@ where
 fn derivative_slices<'a, B, P, const K: usize>(curve: Curve<B, P>, ts: &'a [B::Scalar]) -> Contestant<'a>
 where
     B: Basis + 'a,
-    P: Point<Scalar = B::Scalar> + 'a,
+    P: Point<Scalar = B::Scalar, Vector = P> + 'a,
 {
     let mut out: [Vec<P>; K] = core::array::from_fn(|_| vec![P::zero(); ts.len()]);
     Box::new(move || {
@@ -164,7 +164,9 @@ fn points() {
     run("bevy_math, f32 3D", each(ts_f32, bevy_math::Vec3::ZERO, move |t| curve.position(t)), ours_f32());
 }
 
-fn ours_with_derivatives<'a, P: Point + 'a, const K: usize>(ts: &'a [P::Scalar]) -> Vec<Contestant<'a>> {
+fn ours_with_derivatives<'a, P: Point<Vector = P> + 'a, const K: usize>(
+    ts: &'a [P::Scalar],
+) -> Vec<Contestant<'a>> {
     let curve = cubic::<P>();
     vec![
         each(ts, [P::zero(); K], move |t| curve.eval_with_derivs::<K>(t)),

@@ -47,13 +47,17 @@ fn main() {
         time(0, &mut || each(&ts, &mut peer_out, |u, v| peer.point_at(u, v)));
         time(1, &mut || each(&ts, &mut out, |u, v| naive(&bicubic, u, v)));
         time(2, &mut || each(&ts, &mut out, |u, v| bicubic.eval(u, v)));
-        time(3, &mut || bicubic.eval_grid(&ts, &ts, &mut out));
+        time(3, &mut || bicubic.eval_grid(&ts, &ts, &mut out).expect("one place for each pair"));
         time(4, &mut || out.fill(black_box([1.0; 3])));
         time(5, &mut || rows(&ts, &mut row, |u, row| points(u, &ts, row, |u, v| naive(&bicubic, u, v))));
-        time(6, &mut || rows(&ts, &mut row, |u, row| bicubic.eval_grid(&[u], &ts, row)));
+        time(6, &mut || {
+            rows(&ts, &mut row, |u, row| bicubic.eval_grid(&[u], &ts, row).expect("one place for each pair"))
+        });
         time(7, &mut || each(&ts, &mut out, |u, v| naive(&quartic, u, v)));
-        time(8, &mut || quartic.eval_grid(&ts, &ts, &mut out));
-        time(9, &mut || rows(&ts, &mut row, |u, row| quartic.eval_grid(&[u], &ts, row)));
+        time(8, &mut || quartic.eval_grid(&ts, &ts, &mut out).expect("one place for each pair"));
+        time(9, &mut || {
+            rows(&ts, &mut row, |u, row| quartic.eval_grid(&[u], &ts, row).expect("one place for each pair"))
+        });
         black_box(&out);
         black_box(&peer_out);
     }
@@ -110,7 +114,7 @@ where
     for (row, &b) in surface.rows().iter().zip(weights.as_ref()) {
         let values = row.basis().values(v);
         for (&point, &c) in row.control_points().iter().zip(values.as_ref()) {
-            sum = sum.add_scaled(point, b * c);
+            sum = sum.add_weighted(point, b * c);
         }
     }
     sum

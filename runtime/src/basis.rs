@@ -277,5 +277,5 @@ pub trait Basis: Copy + PartialEq + Debug {
 #[inline]
 pub(crate) fn combination<P: Point>(mut terms: impl Iterator<Item = (P, P::Scalar)>) -> P {
     let Some((point, weight)) = terms.next() else { return P::zero() };
-    terms.fold(point.scale(weight), |sum, (point, weight)| sum.add_scaled(point, weight))
+    terms.fold(point.scale(weight), |sum, (point, weight)| sum.add_weighted(point, weight))
 }

@@ -36,7 +36,7 @@
 //!
 //! | for | look at |
 //! | --- | --- |
-//! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments of one family [`PiecewiseCurve`], of different families and degrees [`Path`] |
+//! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`], of different families and degrees with [`AnyCurve`] as its segments |
 //! | a curve that continues another one of any type with a contact of any order | [`ParametricCurve::continued`], [`Contact`]; from a family [`Basis::curve_after`] |
 //! | lines, arcs, ellipses and Bézier segments of any degrees as one curve, SVG paths in and out | [`Path`], [`to_svg`] |
 //! | the curve beside a curve, with joins and trimmed; the outline of a stroke | [`Offset`], [`Stroke`] |
@@ -63,34 +63,34 @@
 //! `geometry`), whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
 //! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), [`RationalCurve`], [`RationalBezier`],
 //! [`RationalSpline`], [`SpannedCurve`], and [`Path`], which holds segments of several types. The types without a
-//! column answer all of it as well; an [`Isocurve`] has no control points of its own to be moved or mapped. Lists of
-//! curves of several types are `Vec<Box<dyn ParametricCurve<Point = P>>>`.
+//! column, [`AnyCurve`] too, answer all of it as well; an [`Isocurve`] has no control points of its own to be moved or
+//! mapped. Lists of curves of several types are `Vec<AnyCurve<P>>`, or `Vec<Box<dyn ParametricCurve<Point = P>>>` if none is cut.
 //!
-//! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
-//! | --- | --- | --- | --- | --- | --- |
-//! | points: `domain`, `eval`, `eval_checked`, `eval_clamped`, `eval_into`, `start`, `end`, `samples_into` | yes | yes | yes | yes | yes |
-//! | points one after the other: `samples` | yes | yes | yes | yes | no: the iterator has a type of its own |
-//! | derivatives: `derivative`, `derivatives_into` | yes | yes | yes | yes | yes |
-//! | as an array: `eval_with_derivs` | yes | yes | yes | yes | no: the length is a parameter of the function |
-//! | direction and bending: `tangent`, `curvature`, `torsion`, `frenet_frame` | yes | yes | yes | yes | yes |
-//! | frames that do not turn: `rotation_minimizing_frames` | yes | yes | yes | yes | yes |
-//! | length: `arclen`, `inv_arclen` | yes | yes | yes | yes | yes |
-//! | equal distances: `arclen_parameters`, `samples_by_arclen` | yes | yes | yes | yes | yes |
-//! | a polygon within a tolerance: `flatten` | yes | yes | yes | yes | yes |
-//! | boxes: `bounding_box`, `control_box` | yes | yes | yes | yes | yes |
-//! | special points: `extrema`, `inflections` | yes | yes | yes | yes | yes |
-//! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes |
-//! | the first point with that value of a component: `first_where` | yes | yes | yes | yes | yes |
-//! | what a closed curve encloses, how often it goes round a point: `enclosed`, `winding` | yes | yes | yes | yes | yes |
-//! | the curve beside it at a distance: `offset` | yes | yes | yes | yes | yes |
-//! | where it and another curve are nearest to each other: `closest` | yes | yes | yes | yes | yes |
-//! | how smoothly another curve continues it: `joint` | yes | yes | yes | yes | yes |
-//! | a curve of any type, moved so that it comes next or before: `continued`, `preceded` | yes | yes | yes | yes | no: the other curve has a type of its own |
-//! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes |
-//! | where it meets a surface: `surface_intersections` | yes | yes | yes | yes | yes |
-//! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
-//! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
-//! | the image under an affine map, a closure or [one of the library of points](AffineMap): `map`, `transform` | yes | yes | yes | yes | no: the image has a type of its own |
+//! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | [`PiecewiseCurve`] of [`AnyCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
+//! | --- | --- | --- | --- | --- | --- | --- |
+//! | points: `domain`, `eval`, `eval_checked`, `eval_clamped`, `eval_into`, `start`, `end`, `samples_into` | yes | yes | yes | yes | yes | yes |
+//! | points one after the other: `samples` | yes | yes | yes | yes | yes | no: the iterator has a type of its own |
+//! | derivatives: `derivative`, `derivatives_into` | yes | yes | yes | yes | yes | yes |
+//! | as an array: `eval_with_derivs` | yes | yes | yes | yes | yes | no: the length is a parameter of the function |
+//! | direction and bending: `tangent`, `curvature`, `torsion`, `frenet_frame` | yes | yes | yes | yes | yes | yes |
+//! | frames that do not turn: `rotation_minimizing_frames` | yes | yes | yes | yes | yes | yes |
+//! | length: `arclen`, `inv_arclen` | yes | yes | yes | yes | yes | yes |
+//! | equal distances: `arclen_parameters`, `samples_by_arclen` | yes | yes | yes | yes | yes | yes |
+//! | a polygon within a tolerance: `flatten` | yes | yes | yes | yes | yes | yes |
+//! | boxes: `bounding_box`, `control_box` | yes | yes | yes | yes | yes | yes |
+//! | special points: `extrema`, `inflections` | yes | yes | yes | yes | yes | yes |
+//! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes | yes |
+//! | the first point with that value of a component: `first_where` | yes | yes | yes | yes | yes | yes |
+//! | what a closed curve encloses, how often it goes round a point: `enclosed`, `winding` | yes | yes | yes | yes | yes | yes |
+//! | the curve beside it at a distance: `offset` | yes | yes | yes | yes | yes | yes |
+//! | where it and another curve are nearest to each other: `closest` | yes | yes | yes | yes | yes | yes |
+//! | how smoothly another curve continues it: `joint` | yes | yes | yes | yes | yes | yes |
+//! | a curve of any type, moved so that it comes next or before: `continued`, `preceded` | yes | yes | yes | yes | yes | no: the other curve has a type of its own |
+//! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes | yes |
+//! | where it meets a surface: `surface_intersections` | yes | yes | yes | yes | yes | yes |
+//! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes | yes |
+//! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | yes | no: a part has a type of its own |
+//! | the image under an affine map, a closure or [one of the library of points](AffineMap): `map`, `transform` | yes | yes | yes | yes | yes | no: the image has a type of its own |
 //!
 //! # Surfaces of all types
 //!
@@ -120,9 +120,9 @@
 //! # Points
 //!
 //! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam,
-//! the vectors and points of nalgebra and mint, or a type of your own. Tangents, normals, axes and directions are
-//! vectors: of points of nalgebra, mint, kurbo and lyon_geom the vectors of these libraries, otherwise the type itself
-//! ([`Point::Vector`]).
+//! the vectors and points of nalgebra and mint, or a type of your own. Differences of points, derivatives, tangents,
+//! normals, axes and directions are vectors: of points of nalgebra, mint, kurbo and lyon_geom the vectors of these
+//! libraries, otherwise the type itself ([`Point::Vector`]).
 //!
 //! # Accuracy
 //!
@@ -140,12 +140,12 @@
 //! | --- | --- | --- |
 //! | `std` | yes | fused multiply-add, and vector instructions where the processor has them; implies `alloc`. Without it the crate is `no_std` |
 //! | `libm` | no | square roots, angles and exponentials without `std`; with `std` it changes nothing |
-//! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
+//! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; rational patches of surfaces of revolution |
 //! | `macros` | yes | [`basis!`] |
 //! | `angles` | yes | sines, exponentials and π in specs, and domains that end at a shape parameter; without it the first of them is an error that names the feature; implies `macros` |
 //! | `joins` | yes | theorems and joins in specs; without it the first of them is an error that names the feature; implies `macros` |
 //! | `rounding` | yes | proved bounds of the rounding errors of generated functions, as constants and in claims; implies `macros` |
-//! | `geometry` | yes | what all types of curves answer, `ParametricCurve`, and what surfaces of Bézier patches do, `BoundedSurface`; implies `alloc` |
+//! | `geometry` | yes | what all types of curves answer, `ParametricCurve`; curves of several segments, [`PiecewiseCurve`]; what surfaces of Bézier patches do, `BoundedSurface`; implies `alloc` |
 //! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; points to curves of all types: [`Fit`]; implies `geometry` |
 //! | `elements` | yes | finite elements: rules of quadrature, [`Quadrature`], functions at many points, [`Tabulation`], nodes, and what belongs to corners, edges and faces, [`Entities`]; implies `alloc` |
 //! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `geometry` |
@@ -217,6 +217,8 @@ mod nearest;
 mod numeric;
 #[cfg(feature = "geometry")]
 mod path;
+#[cfg(feature = "geometry")]
+mod piecewise;
 mod point;
 mod product;
 mod rational;
@@ -247,14 +249,12 @@ macro_rules! basis {
 #[doc(inline)]
 pub use bernstein::{BernsteinBasis, BernsteinOf};
 pub use boxes::{BoxBasis, BoxPatch};
-#[cfg(feature = "alloc")]
-pub use curve::PiecewiseCurve;
 pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
 #[cfg(feature = "elements")]
 pub use elements::{Entities, Entity, Quadrature, QuadratureError, Tabulation};
 pub use error::{CountError, ShapeError};
 #[cfg(feature = "bspline")]
-pub use fit::{Fit, FitEnd, Fitted, FittedSurface, GridCorners, GridFit};
+pub use fit::{Fit, FitEnd, Fitted, FittedSurface, GridEnd, GridFit};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
 pub use geometry::{
@@ -267,6 +267,8 @@ pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 pub use nearest::Nearest;
 #[cfg(feature = "geometry")]
 pub use path::{LineCap, LineJoin, Offset, Path, PathSegment, Stroke, SvgError, SvgMistake, to_svg};
+#[cfg(feature = "geometry")]
+pub use piecewise::{AnyCurve, PiecewiseCurve};
 pub use point::Point;
 pub use product::{DomainFactor, ProductBasis, ProductPatch};
 pub use rational::{Chart, RationalBasis, RationalCurve, SpanOf, SpannedBasis, SpannedCurve};

@@ -174,10 +174,10 @@ where
     for (a, weights) in net.iter().enumerate() {
         let mut sum = V::zero();
         for (b, other) in net.iter().enumerate() {
-            sum = sum.add_scaled(*other, integral(a, b));
+            sum = sum.add_weighted(*other, integral(a, b));
         }
         for (row, &weight) in rows.iter_mut().zip(weights.as_ref()) {
-            *row = row.add_scaled(sum, weight);
+            *row = row.add_weighted(sum, weight);
         }
     }
     for i in 0..rows.len() {

@@ -8,8 +8,8 @@ use crate::scalar::{FUSED_HERE, Scalar};
 ///
 /// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the features `glam`, `glam_030`, `glam_032` and
 /// `glam_033` for the float vectors of four versions of glam, and with the features `nalgebra` and `mint` for their
-/// vectors and points. Sums of points are formed component by component. Tangents, normals, axes and other directions
-/// are [`Vector`](Self::Vector)s; derivatives stand in one slice with the point, and have its type.
+/// vectors and points. Points are added up with weights component by component; the difference of two points is a
+/// [`Vector`](Self::Vector), and so are derivatives, tangents, normals, axes and other directions.
 ///
 /// Two types and two functions make a type of your own a point:
 ///
@@ -38,8 +38,8 @@ pub trait Point: Copy + PartialEq + Debug {
     /// The type of the components.
     type Scalar: Scalar;
 
-    /// The type of directions: of tangents, normals and axes. Where points and vectors are different types, as in nalgebra,
-    /// the vector; otherwise the type itself.
+    /// The type of differences of points, of derivatives, tangents, normals and axes. Where points and vectors are different
+    /// types, as in nalgebra, the vector; otherwise the type itself.
     type Vector: Point<Scalar = Self::Scalar, Vector = Self::Vector>;
 
     /// The number of components.
@@ -66,17 +66,50 @@ pub trait Point: Copy + PartialEq + Debug {
         Self::from_components(|i| self.component(i) * factor)
     }
 
-    /// `self - point`.
+    /// The vector from the origin to this point: the same components.
     #[inline]
-    fn minus(self, point: Self) -> Self {
-        Self::from_components(|i| self.component(i) - point.component(i))
+    fn to_vector(self) -> Self::Vector {
+        Self::Vector::from_components(|i| self.component(i))
     }
 
-    /// `self + point * factor`.
+    /// The point to which a vector from the origin goes: the same components.
     #[inline]
-    fn add_scaled(self, point: Self, factor: Self::Scalar) -> Self {
-        Self::from_components(|i| point.component(i).fma::<FUSED_HERE>(factor, self.component(i)))
+    fn from_vector(vector: Self::Vector) -> Self {
+        Self::from_components(|i| vector.component(i))
     }
+
+    /// `self - point`, the vector from `point` to this point.
+    #[inline]
+    fn minus(self, point: Self) -> Self::Vector {
+        Self::Vector::from_components(|i| self.component(i) - point.component(i))
+    }
+
+    /// `self + vector * factor`.
+    #[inline]
+    fn add_scaled(self, vector: Self::Vector, factor: Self::Scalar) -> Self {
+        self.add_weighted(Self::from_vector(vector), factor)
+    }
+
+    /// `self + point * weight`, a step of a weighted sum `Σ w[i] P[i]` of points.
+    #[inline]
+    fn add_weighted(self, point: Self, weight: Self::Scalar) -> Self {
+        Self::from_components(|i| point.component(i).fma::<FUSED_HERE>(weight, self.component(i)))
+    }
+}
+
+/// Of a type whose vectors are the type itself.
+macro_rules! itself {
+    () => {
+        #[inline]
+        fn to_vector(self) -> Self {
+            self
+        }
+
+        #[inline]
+        fn from_vector(vector: Self) -> Self {
+            vector
+        }
+    };
 }
 
 macro_rules! scalars {
@@ -95,6 +128,8 @@ macro_rules! scalars {
             fn component(&self, index: usize) -> $scalar {
                 [*self][index]
             }
+
+            itself!();
         }
     )+};
 }
@@ -114,6 +149,8 @@ impl<S: Scalar, const D: usize> Point for [S; D] {
     fn component(&self, index: usize) -> S {
         self[index]
     }
+
+    itself!();
 }
 
 /// The float vectors of one version of glam as points, with their own operators, which use the vector registers where
@@ -147,13 +184,15 @@ macro_rules! glam_points {
             }
 
             #[inline]
-            fn add_scaled(self, point: Self, factor: $scalar) -> Self {
+            fn add_weighted(self, point: Self, weight: $scalar) -> Self {
                 if FUSED_HERE {
-                    point.mul_add(Self::splat(factor), self)
+                    point.mul_add(Self::splat(weight), self)
                 } else {
-                    self + point * factor
+                    self + point * weight
                 }
             }
+
+            itself!();
         }
     )+};
     ($glam:ident) => {

@@ -338,14 +338,15 @@ impl<B: ProductBasis, P: Point<Scalar = B::Scalar>> ProductPatch<B, P> {
     ///
     /// Coordinates are not clamped: outside of the domain the polynomial is continued.
     pub fn eval_at(&self, at: B::Coordinates) -> P {
-        self.partial_at(at, B::Orders::from_fn(|_| 0))
+        let mut net = self.net;
+        partial::<B, P>(net.as_mut(), at, B::Orders::from_fn(|_| 0))
     }
 
     /// The partial derivative of these orders in the independent coordinates, the last one of each simplex being 1 minus the
     /// others; zero above the degrees.
-    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P {
+    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P::Vector {
         let mut net = self.net;
-        partial::<B, P>(net.as_mut(), at, orders)
+        partial::<B, P>(net.as_mut(), at, orders).to_vector()
     }
 
     /// The smallest axis-parallel box around the Bernstein points, as its two extreme corners: cheap, and never too

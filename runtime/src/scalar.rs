@@ -24,7 +24,7 @@ pub const FUSED_HERE: bool = cfg!(all(feature = "std", any(target_feature = "fma
 /// ```
 pub trait Scalar:
     sealed::Sealed
-    + Point<Scalar = Self>
+    + Point<Scalar = Self, Vector = Self>
     + PartialOrd
     + Display
     + Default

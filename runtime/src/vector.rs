@@ -1,6 +1,6 @@
 //! Lengths, products and directions of vectors, given as points.
 
-use crate::{Point, Scalar};
+use crate::{Array, Point, Scalar};
 
 /// A point of three-dimensional space, where surfaces have normals.
 ///
@@ -46,6 +46,18 @@ mod nalgebra {
 #[inline]
 pub(crate) fn recast<P: Point, Q: Point<Scalar = P::Scalar>>(point: P) -> Q {
     Q::from_components(|i| point.component(i))
+}
+
+/// `a - b` of coefficients, which are points in the beginning and vectors after that.
+#[inline]
+pub(crate) fn difference<P: Point>(a: P, b: P) -> P {
+    P::from_vector(a.minus(b))
+}
+
+/// An array of points as one of vectors.
+#[inline]
+pub(crate) fn vectors<P: Point, A: Array<P::Vector>>(points: &[P]) -> A {
+    A::from_fn(|i| points[i].to_vector())
 }
 
 /// The scalar product `Σ a_i b_i`.
@@ -101,9 +113,9 @@ pub(crate) fn direction<P: Point>(vector: P) -> Option<P> {
 /// The unit vector of the part of `vector` that is perpendicular to a unit vector.
 pub(crate) fn perpendicular<P: Point>(unit: P, vector: P) -> Option<P> {
     let vector = direction(vector)?;
-    let part = direction(vector.add_scaled(unit, -dot(vector, unit)))?;
+    let part = direction(vector.add_weighted(unit, -dot(vector, unit)))?;
     // Once more: what rounding has left along the unit vector is large if the part was small.
-    direction(part.add_scaled(unit, -dot(part, unit)))
+    direction(part.add_weighted(unit, -dot(part, unit)))
 }
 
 /// A unit vector perpendicular to this one, from the axis that is farthest from it.
@@ -123,7 +135,7 @@ pub(crate) fn distance<P: Point>(a: P, b: P) -> P::Scalar {
 /// The point `(1 - x) a + x b`.
 #[inline]
 pub(crate) fn lerp<P: Point>(a: P, b: P, x: P::Scalar) -> P {
-    a.scale(P::Scalar::ONE - x).add_scaled(b, x)
+    a.scale(P::Scalar::ONE - x).add_weighted(b, x)
 }
 
 /// The unit in which to measure things of that size: 1 if their power with the exponent `2^squarings` neither overflows

@@ -60,7 +60,7 @@ impl<S: Scalar> Basis for Custom<S> {
 
     fn bind<P: Point<Scalar = S>>(&self, points: &[P; 3]) -> EndpointForm<P, 1> {
         let [a, b, c] = self.to_bernstein(points);
-        let middle = b.scale(S::of(2.0)).minus(a).minus(c);
+        let middle = P::from_vector(b.scale(S::of(2.0)).minus(a)).add_weighted(c, -S::ONE);
         let end = if self.wrong_end { c.scale(S::of(1.0 + 1e-3)) } else { c };
         EndpointForm::new([a, end], [middle])
     }

@@ -13,16 +13,16 @@ use basis_runtime::bspline::{
 };
 use basis_runtime::laws::{Checks, Law, Place, Violation};
 use basis_runtime::{
-    Area, BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact,
+    AnyCurve, Area, BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact,
     CountError, Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity,
-    EdgePair, Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame,
-    GridCorners, GridFit, Isocurve, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh,
-    MeshError, Nearest, Offset, Orientation, ParametricCurve, Path, PathSegment, PiecewiseCurve,
-    PlaneMeeting, ProductPatch, Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline,
-    RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
-    SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke, Surface, SurfaceDomain, SurfaceMeeting,
-    SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation,
-    TriangleContact, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    EdgePair, Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame, GridEnd,
+    GridFit, Isocurve, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh, MeshError, Nearest,
+    Offset, Orientation, ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting, ProductPatch,
+    Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline, RationalSurface,
+    RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, SpanOf,
+    SpannedBasis, SpannedCurve, Stroke, Surface, SurfaceDomain, SurfaceMeeting, SurfaceOfRevolution,
+    SurfacePiece, SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation, TriangleContact,
+    TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
     bernstein::{Root, RootKind},
     edge_continuity,
 };
@@ -263,8 +263,7 @@ fn fits() {
     let read: Fitted<BSplineCurve<P>> = serde_json::from_str(&serde_json::to_string(&fit).unwrap()).unwrap();
     assert_eq!(read.parameters.len(), 9);
     let grid = Net::from_fn(3, 3, |i, j| [i as f64, j as f64, (i * j) as f64]).unwrap();
-    again(GridCorners::Interpolated);
-    let fit = GridFit::new(&grid).corners(GridCorners::Interpolated).spline_with([1, 1], [2, 2]).unwrap();
+    let fit = GridFit::new(&grid).ends([[GridEnd::Interpolated; 2]; 2]).spline_with([1, 1], [2, 2]).unwrap();
     let read: FittedSurface<BSplineSurface<P>, f64> =
         serde_json::from_str(&serde_json::to_string(&fit).unwrap()).unwrap();
     assert_eq!(read.surface.net().rows(), 2);
@@ -396,6 +395,7 @@ fn all_else_is_shared() {
     error::<SvgError>();
     error::<ConstructionError>();
     shared::<SvgMistake>();
+    shared::<AnyCurve<P>>();
     shared::<Enclosed<P>>();
     shared::<Closest<P>>();
     shared::<Area<f64>>();
@@ -412,6 +412,7 @@ fn all_else_is_shared() {
     shared::<Stroke<f64>>();
     shared::<Fit<'_, P>>();
     shared::<GridFit<'_, P>>();
+    shared::<GridEnd<'_, P>>();
 }
 
 /// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any

@@ -8,7 +8,7 @@ use crate::plan::patch::form::multi_indices;
 use basis_prover::collections::list::Listed;
 
 impl Builder {
-    /// `Point::add_scaled`: a + b·factor.
+    /// `Point::add_weighted`: a + b·factor.
     fn add_scaled(&mut self, a: usize, b: usize, factor: usize) -> usize {
         let product = self.mul(b, factor);
         self.add(a, product)

@@ -21,7 +21,7 @@ pub fn eval<P: Point>(points: &[P], x: P::Scalar) -> P {
         power = power * x;
         // Exact: each product and quotient is a whole number, below 2^53 up to degree 52.
         binomial = after(binomial, degree, k);
-        sum.scale(s).add_scaled(point, power * P::Scalar::of(binomial))
+        sum.scale(s).add_weighted(point, power * P::Scalar::of(binomial))
     })
 }
 

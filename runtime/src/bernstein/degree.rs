@@ -1,7 +1,7 @@
 //! Degree elevation and differentiation.
 
 use crate::numeric::binomial::row;
-use crate::vector::lerp;
+use crate::vector::{difference, lerp};
 use crate::{Point, Scalar};
 
 /// The control points of the same polynomial with the degree raised to `elevated.len() - 1`:
@@ -56,7 +56,7 @@ pub fn centred_powers<P: Point>(points: &mut [P]) {
     for order in 1..len {
         // A half-open range, which the compiler unrolls.
         for i in (order..len).rev() {
-            points[i] = points[i - 1].minus(points[i]);
+            points[i] = difference(points[i - 1], points[i]);
         }
     }
     for (point, binomial) in points.iter_mut().zip(row(degree)) {
@@ -72,7 +72,7 @@ pub fn differentiate<P: Point>(points: &mut [P]) -> &mut [P] {
     let degree = points.len().saturating_sub(1);
     let factor = P::Scalar::from_usize(degree);
     for i in 0..degree {
-        points[i] = points[i + 1].minus(points[i]).scale(factor);
+        points[i] = difference(points[i + 1], points[i]).scale(factor);
     }
     &mut points[..degree]
 }

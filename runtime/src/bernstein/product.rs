@@ -48,7 +48,7 @@ pub(crate) fn bilinear<P: Point, R: Point<Scalar = P::Scalar>>(
         let mut weight = row;
         for (i, &a) in p.iter().enumerate().take(k + 1).skip(first) {
             let j = k - i;
-            *entry = entry.add_scaled(of(a, q[j]), P::Scalar::of(weight / total));
+            *entry = entry.add_weighted(of(a, q[j]), P::Scalar::of(weight / total));
             weight = weight * ((m - i) * j) as f64 / ((i + 1) * (n - j + 1)) as f64;
         }
         total = after(total, m + n, k);

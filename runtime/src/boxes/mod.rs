@@ -238,13 +238,14 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
     ///
     /// Coordinates are not clamped: outside of the box the polynomial is continued.
     pub fn eval_at(&self, at: B::Coordinates) -> P {
-        self.partial_at(at, B::Orders::from_fn(|_| 0))
+        let mut net = self.net;
+        partial::<B, P>(net.as_mut(), at, B::Orders::from_fn(|_| 0))
     }
 
     /// The partial derivative of these orders in the coordinates; zero above the degrees.
-    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P {
+    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P::Vector {
         let mut net = self.net;
-        partial::<B, P>(net.as_mut(), at, orders)
+        partial::<B, P>(net.as_mut(), at, orders).to_vector()
     }
 
     /// The lowest and the highest corner of the box.

@@ -1,5 +1,6 @@
 //! Bernstein nets on boxes, one coordinate at a time.
 
+use crate::vector::difference;
 use crate::{Point, Scalar};
 
 /// `Σ c[α] ∏ s^(n-k) x^k`, the last index fastest: each coordinate by nested multiplication, from the last.
@@ -33,7 +34,7 @@ pub(crate) fn differentiate<P: Point>(coefficients: &mut [P], order: usize) {
     for m in (coefficients.len() - order..coefficients.len()).rev() {
         let factor = P::Scalar::from_usize(m);
         for i in 0..m {
-            coefficients[i] = coefficients[i + 1].minus(coefficients[i]).scale(factor);
+            coefficients[i] = difference(coefficients[i + 1], coefficients[i]).scale(factor);
         }
     }
 }
@@ -42,7 +43,7 @@ pub(crate) fn differentiate<P: Point>(coefficients: &mut [P], order: usize) {
 pub(crate) fn finish<P: Point>(coefficients: &mut [P], [s, x]: [P::Scalar; 2]) -> P {
     for m in (1..coefficients.len()).rev() {
         for i in 0..m {
-            coefficients[i] = coefficients[i].scale(s).add_scaled(coefficients[i + 1], x);
+            coefficients[i] = coefficients[i].scale(s).add_weighted(coefficients[i + 1], x);
         }
     }
     coefficients[0]

@@ -46,7 +46,7 @@ where
     }
 
     #[inline]
-    fn partial(&self, u: S, v: S, orders: [usize; 2]) -> P {
+    fn partial(&self, u: S, v: S, orders: [usize; 2]) -> P::Vector {
         self.partial_at([u, v], orders)
     }
 }

@@ -221,20 +221,20 @@ impl<P: Point> BSplineCurve<P> {
 
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`; zero above the degree.
     #[inline]
-    pub fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+    pub fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P::Vector; K] {
         let span = self.knots.span(t);
         core::array::from_fn(|order| self.derivative_on(span, t, order))
     }
 
-    /// The derivative of that order at `t`; the point itself at order 0.
+    /// The derivative of that order at `t`; at order 0 the vector from the origin to the point.
     #[inline]
-    pub fn derivative(&self, t: P::Scalar, order: usize) -> P {
+    pub fn derivative(&self, t: P::Scalar, order: usize) -> P::Vector {
         self.derivative_on(self.knots.span(t), t, order)
     }
 
-    fn derivative_on(&self, span: usize, t: P::Scalar, order: usize) -> P {
+    fn derivative_on(&self, span: usize, t: P::Scalar, order: usize) -> P::Vector {
         let k = self.degree();
-        combine(&self.knots.derivatives_on(span, t, order), &self.points[span - k..=span])
+        combine(&self.knots.derivatives_on(span, t, order), &self.points[span - k..=span]).to_vector()
     }
 
     /// The same curve over the knots and all of `knots`, in any order, repeated ones as often as they are listed.
@@ -365,7 +365,7 @@ impl<P: Point> ParametricCurve for BSplineCurve<P> {
         self.eval_into(ts, out)
     }
 
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P::Vector]) {
         let span = self.knots.span(t);
         for (order, derivative) in derivatives.iter_mut().enumerate() {
             *derivative = self.derivative_on(span, t, order);
@@ -373,7 +373,7 @@ impl<P: Point> ParametricCurve for BSplineCurve<P> {
     }
 
     #[inline]
-    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P::Vector; K] {
         self.eval_with_derivs(t)
     }
 

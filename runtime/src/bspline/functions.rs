@@ -145,6 +145,6 @@ impl<S: Scalar> KnotVector<S> {
 /// `Σ factors[i] points[i]`.
 #[inline]
 pub(super) fn combine<P: Point>(factors: &[P::Scalar], points: &[P]) -> P {
-    let sum = |sum: P, (&factor, &point): (&P::Scalar, &P)| sum.add_scaled(point, factor);
+    let sum = |sum: P, (&factor, &point): (&P::Scalar, &P)| sum.add_weighted(point, factor);
     factors.iter().zip(points).fold(P::zero(), sum)
 }

@@ -277,7 +277,7 @@ impl<'a, P: Point> Lines<'a, P> {
             line.fill(P::zero());
             for (i, &factor) in factors.iter().enumerate() {
                 for (sum, &point) in line.iter_mut().zip(net.row(first + i)) {
-                    *sum = sum.add_scaled(point, factor);
+                    *sum = sum.add_weighted(point, factor);
                 }
             }
             return columns.eval(line, out);

@@ -11,7 +11,7 @@ use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
 use crate::curve::{divisible, nonempty};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::surface::partials_by_number;
+use crate::surface::{one_for_each, partials_by_number};
 use crate::{BoundedSurface, CurveError, Edge, Nearest, Point, Scalar, Surface, SurfaceDomain, SurfacePiece};
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
@@ -125,7 +125,7 @@ impl<P: Point> BSplineSurface<P> {
             let factors = [self.u.cubic_values_on(spans[0], u), self.v.cubic_values_on(spans[1], v)];
             return self.bicubic_point(spans, factors);
         }
-        self.partial(u, v, [0, 0])
+        self.partial_on([self.u.span(u), self.v.span(v)], [u, v], [0, 0])
     }
 
     /// The sum of the sixteen control points of a bicubic piece, each times the factors of its row and of its column.
@@ -137,11 +137,11 @@ impl<P: Point> BSplineSurface<P> {
         for (i, &factor) in rows.iter().enumerate() {
             let &[a, b, c, d] = &self.net.row(spans[0] - 3 + i)[spans[1] - 3..=spans[1]] else { break };
             for (sum, point) in line.iter_mut().zip([a, b, c, d]) {
-                *sum = if i == 0 { point.scale(factor) } else { sum.add_scaled(point, factor) };
+                *sum = if i == 0 { point.scale(factor) } else { sum.add_weighted(point, factor) };
             }
         }
         let ([a, b, c, d], [e, f, g, h]) = (line, columns);
-        a.scale(e).add_scaled(b, f).add_scaled(c, g).add_scaled(d, h)
+        a.scale(e).add_weighted(b, f).add_weighted(c, g).add_weighted(d, h)
     }
 
     /// The same for several factors of each row and each column.
@@ -150,27 +150,29 @@ impl<P: Point> BSplineSurface<P> {
         &self,
         spans: [usize; 2],
         [rows, columns]: [[[P::Scalar; 4]; 2]; 2],
-    ) -> [[P; K]; K] {
-        let mut sums = [[P::zero(); K]; K];
+    ) -> [[P::Vector; K]; K] {
+        let mut sums = [[P::Vector::zero(); K]; K];
         for i in 0..4 {
             let &[a, b, c, d] = &self.net.row(spans[0] - 3 + i)[spans[1] - 3..=spans[1]] else { return sums };
-            let line: [P; K] = core::array::from_fn(|k| {
+            let [a, b, c, d] = [a, b, c, d].map(P::to_vector);
+            let line: [P::Vector; K] = core::array::from_fn(|k| {
                 let [e, f, g, h] = columns[k];
-                a.scale(e).add_scaled(b, f).add_scaled(c, g).add_scaled(d, h)
+                a.scale(e).add_weighted(b, f).add_weighted(c, g).add_weighted(d, h)
             });
             for (sums, factors) in sums.iter_mut().zip(&rows) {
                 for (sum, &point) in sums.iter_mut().zip(&line) {
-                    *sum = sum.add_scaled(point, factors[i]);
+                    *sum = sum.add_weighted(point, factors[i]);
                 }
             }
         }
         sums
     }
 
-    /// The partial derivative of these orders in `u` and `v`; the point itself for `[0, 0]`.
+    /// The partial derivative of these orders in `u` and `v`; for `[0, 0]` the vector from the origin to the
+    /// point.
     #[inline]
-    pub fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P {
-        self.partial_on([self.u.span(u), self.v.span(v)], [u, v], orders)
+    pub fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P::Vector {
+        self.partial_on([self.u.span(u), self.v.span(v)], [u, v], orders).to_vector()
     }
 
     /// The partial derivative of the polynomial piece over these spans.
@@ -181,7 +183,7 @@ impl<P: Point> BSplineSurface<P> {
         let first = [spans[0] - self.u.degree(), spans[1] - self.v.degree()];
         rows.iter().enumerate().fold(P::zero(), |sum, (i, &factor)| {
             let row = &self.net.row(first[0] + i)[first[1]..=spans[1]];
-            sum.add_scaled(combine(&columns, row), factor)
+            sum.add_weighted(combine(&columns, row), factor)
         })
     }
 
@@ -201,7 +203,7 @@ impl<P: Point> BSplineSurface<P> {
                         Direction::U => [first + i, j],
                         Direction::V => [j, first + i],
                     };
-                    sum.add_scaled(self.net[index], factor)
+                    sum.add_weighted(self.net[index], factor)
                 })
             })
             .collect();
@@ -404,28 +406,30 @@ impl<P: Point> Surface for BSplineSurface<P> {
     }
 
     #[inline]
-    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P {
+    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P::Vector {
         self.partial(u, v, orders)
     }
 
     /// The curve `v ↦ S(u, v)` is found once for each `u`; where the `u` are dense and in order, the curves over the rows of the
     /// net once for all of them.
-    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
+    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        one_for_each([us.len(), vs.len()], out)?;
         if vs.is_empty() {
-            return;
+            return Ok(());
         }
         let mut lines = Lines::new([&self.u, &self.v], &self.net, us, vs);
         for (&u, line) in us.iter().zip(out.chunks_mut(vs.len())) {
             lines.eval(u, line);
         }
+        Ok(())
     }
 
     partials_by_number!();
 
     /// The functions and their derivatives once for all partial derivatives.
-    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P::Vector; K]; K] {
         if K == 1 {
-            return [[self.eval(u, v); K]; K];
+            return [[self.eval(u, v).to_vector(); K]; K];
         }
         let spans = [self.u.span(u), self.v.span(v)];
         if K <= 2 && self.degrees() == [3, 3] {
@@ -434,13 +438,13 @@ impl<P: Point> Surface for BSplineSurface<P> {
         let first = [spans[0] - self.u.degree(), spans[1] - self.v.degree()];
         let rows: [_; K] = core::array::from_fn(|order| self.u.derivatives_on(spans[0], u, order));
         let columns: [_; K] = core::array::from_fn(|order| self.v.derivatives_on(spans[1], v, order));
-        let mut sums = [[P::zero(); K]; K];
+        let mut sums = [[P::Vector::zero(); K]; K];
         for i in 0..=self.u.degree() {
             let row = &self.net.row(first[0] + i)[first[1]..=spans[1]];
-            let line: [P; K] = core::array::from_fn(|k| combine(&columns[k], row));
+            let line: [_; K] = core::array::from_fn(|k| combine(&columns[k], row).to_vector());
             for (sums, factors) in sums.iter_mut().zip(&rows) {
                 for (sum, &point) in sums.iter_mut().zip(&line) {
-                    *sum = sum.add_scaled(point, factors[i]);
+                    *sum = sum.add_weighted(point, factors[i]);
                 }
             }
         }

@@ -94,13 +94,13 @@ impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&Curve<B, P>> for P
 /// A path of one piece. A segment that does not start where the one before ends starts there nevertheless, as segments
 /// of a path do. Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if the segments are no curves in the
 /// plane of degree up to 3.
-#[cfg(feature = "alloc")]
-impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&crate::PiecewiseCurve<B, P>>
+#[cfg(feature = "geometry")]
+impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&crate::PiecewiseCurve<Curve<B, P>>>
     for kurbo::BezPath
 {
     type Error = CurveError;
 
-    fn try_from(curve: &crate::PiecewiseCurve<B, P>) -> Result<Self, CurveError> {
+    fn try_from(curve: &crate::PiecewiseCurve<Curve<B, P>>) -> Result<Self, CurveError> {
         let mut path = Self::new();
         for segment in curve.segments() {
             let segment: PathSeg = segment.try_into()?;
@@ -140,18 +140,17 @@ impl<B: Basis<Scalar = f64>> kurbo::ParamCurveFit for Curve<B, kurbo::Point> {
     fn sample_pt_deriv(&self, t: f64) -> (kurbo::Point, kurbo::Vec2) {
         let [lo, hi] = B::domain();
         let [point, velocity] = self.eval_with_derivs(from_unit([lo, hi], t));
-        (point, velocity.to_vec2() * (hi - lo))
+        (point.to_point(), velocity * (hi - lo))
     }
 
     /// Where a curve turns back at a cusp, the component that turns has an extremum.
     fn break_cusp(&self, range: core::ops::Range<f64>) -> Option<f64> {
         let [lo, hi] = B::domain();
         let velocities = self.hodograph();
-        let largest =
-            velocities.control_points().iter().fold(0.0, |largest, v| v.to_vec2().hypot().max(largest));
+        let largest = velocities.control_points().iter().fold(0.0, |largest, v| v.hypot().max(largest));
         let margin = 1e-6 * (range.end - range.start);
         let inside = |&t: &f64| t > range.start + margin && t < range.end - margin;
-        let stops = |&t: &f64| velocities.eval(t).to_vec2().hypot() <= 1e-7 * largest;
+        let stops = |&t: &f64| velocities.eval(t).hypot() <= 1e-7 * largest;
         self.extrema().into_iter().map(|t| (t - lo) / (hi - lo)).filter(inside).find(stops)
     }
 }

@@ -39,7 +39,7 @@ fn reduce<P: Point>(points: &mut [P]) -> Option<&mut [P]> {
     let (mut difference, mut largest) = (P::zero(), P::Scalar::ZERO);
     for ((k, &point), binomial) in points.iter().enumerate().zip(row(degree)) {
         let sign = if (degree - k) % 2 == 0 { 1.0 } else { -1.0 };
-        difference = difference.add_scaled(point, P::Scalar::of(sign * binomial));
+        difference = difference.add_weighted(point, P::Scalar::of(sign * binomial));
         largest = (0..P::DIM).fold(largest, |largest, d| largest.max(point.component(d).abs()));
     }
     // Each product has a binomial coefficient as a factor; their sum is 2ⁿ, of n + 1 products.
@@ -53,12 +53,12 @@ fn reduce<P: Point>(points: &mut [P]) -> Option<&mut [P]> {
     let (last, middle) = (points[degree], degree.div_ceil(2));
     for i in 1..middle {
         let [before, rest] = [i, degree - i].map(P::Scalar::from_usize);
-        points[i] = points[i].scale(n / rest).add_scaled(points[i - 1], P::Scalar::ZERO - before / rest);
+        points[i] = points[i].scale(n / rest).add_weighted(points[i - 1], P::Scalar::ZERO - before / rest);
     }
     let mut after = last;
     for i in (middle..degree).rev() {
         let [before, rest] = [i, degree - i].map(P::Scalar::from_usize);
-        let point = points[i].scale(n / before).add_scaled(after, P::Scalar::ZERO - rest / before);
+        let point = points[i].scale(n / before).add_weighted(after, P::Scalar::ZERO - rest / before);
         (points[i], after) = (after, point);
     }
     Some(&mut points[..degree])

@@ -1,6 +1,6 @@
 //! Curves that continue a curve, at either end, with a given order of contact.
 
-use crate::vector::{is_finite, largest_component};
+use crate::vector::{is_finite, largest_component, vectors};
 use crate::{Array, Basis, Curve, CurveError, Point, Scalar};
 
 /// How the derivatives of two curves P and Q, each in its own parameter, agree at a common point.
@@ -72,7 +72,7 @@ impl<S: Scalar> Contact<S> {
             }
             *first = first.scale(inverse);
             if let Some(second) = rest.first_mut() {
-                *second = second.add_scaled(*first, -c).scale(inverse * inverse);
+                *second = second.add_weighted(*first, -c).scale(inverse * inverse);
             }
         }
         Ok(())
@@ -107,10 +107,12 @@ pub(crate) fn touching<B: Basis, C: Basis<Scalar = B::Scalar>, P: Point<Scalar =
         let (most, found) = (C::LEN.saturating_sub(1), contact.order());
         return Err(CurveError::Contact { family: C::NAME, most, found });
     }
-    let mut derivatives = points;
-    let derivatives = &mut derivatives.as_mut()[..conditions];
-    curve.derivatives_into(B::domain()[usize::from(end == End::Start)], derivatives);
-    contact.transform(derivatives)?;
+    let mut derivatives: C::Points<P::Vector> = vectors(points.as_ref());
+    let first = &mut derivatives.as_mut()[..conditions];
+    curve.derivatives_into(B::domain()[usize::from(end == End::Start)], first);
+    contact.transform(first)?;
+    let derivatives = C::Points::<P>::from_fn(|i| P::from_vector(derivatives.as_ref()[i]));
+    let derivatives = &derivatives.as_ref()[..conditions];
     let points = match end {
         End::Start => basis.start_points(derivatives, points)?,
         End::Last => basis.end_points(derivatives, points)?,
@@ -164,7 +166,7 @@ where
     targets.copy_from_slice(derivatives);
     for (target, row) in targets.iter_mut().zip(matrix.iter()) {
         for (i, &weight) in row.as_ref().iter().enumerate().skip(conditions) {
-            *target = target.add_scaled(points.as_ref()[place(i)], -weight);
+            *target = target.add_weighted(points.as_ref()[place(i)], -weight);
         }
     }
     solve(matrix, targets).ok_or(undetermined)?;
@@ -205,15 +207,15 @@ where
         for row in column + 1..len {
             let factor = matrix[row].component(column) / matrix[column].component(column);
             if factor != P::Scalar::ZERO {
-                matrix[row] = matrix[row].add_scaled(matrix[column], -factor);
-                right[row] = right[row].add_scaled(right[column], -factor);
+                matrix[row] = matrix[row].add_weighted(matrix[column], -factor);
+                right[row] = right[row].add_weighted(right[column], -factor);
             }
         }
     }
     for row in (0..len).rev() {
         let known = right.iter().enumerate().skip(row + 1);
-        let value =
-            known.fold(right[row], |value, (column, &x)| value.add_scaled(x, -matrix[row].component(column)));
+        let value = known
+            .fold(right[row], |value, (column, &x)| value.add_weighted(x, -matrix[row].component(column)));
         let pivot = matrix[row].component(row);
         right[row] = P::from_components(|d| value.component(d) / pivot);
     }

@@ -80,7 +80,7 @@ fn distance_to_segment<P: Point>(p: P, start: P, end: P) -> P::Scalar {
     let gap = p.minus(start);
     let foot = dot(gap, along) / square;
     if foot > P::Scalar::ZERO && foot < P::Scalar::ONE {
-        length(gap.add_scaled(along, -foot))
+        length(gap.add_weighted(along, -foot))
     } else {
         distance(p, start).min(distance(p, end))
     }

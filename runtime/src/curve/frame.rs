@@ -4,7 +4,7 @@ use crate::domain::{from_unit, inverse_width};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{
-    any_perpendicular, cross, direction, dot, largest_component, length, perpendicular, recast, wedge,
+    any_perpendicular, cross, direction, dot, largest_component, length, perpendicular, vectors, wedge,
 };
 use crate::{Basis, Curve, CurveError, Form, Point, Point3, Scalar};
 
@@ -66,15 +66,15 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let inverse_width = inverse_width(B::domain());
         noise = noise * inverse_width;
         if length(velocity) > noise {
-            return direction(recast(velocity));
+            return direction(velocity);
         }
-        let mut derivatives = points;
+        let mut derivatives: B::Bernstein<P::Vector> = vectors(points.as_ref());
         self.derivatives_into(t, derivatives.as_mut());
         let arriving = t == B::domain()[1];
         for (order, &derivative) in derivatives.as_ref().iter().enumerate().skip(1) {
             if length(derivative) > noise {
                 let backwards = arriving && order % 2 == 0;
-                return direction(recast(if backwards { P::zero().minus(derivative) } else { derivative }));
+                return direction(if backwards { P::Vector::zero().minus(derivative) } else { derivative });
             }
             noise = noise * inverse_width * B::Scalar::from_usize(B::DEGREE - order) * B::Scalar::of(2.0);
         }
@@ -181,30 +181,29 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 }
 
 /// The torsion from the point and three derivatives.
-pub(crate) fn torsion<P: Point3>([_, first, second, third]: [P; 4]) -> P::Scalar {
+pub(crate) fn torsion<V: Point>([_, first, second, third]: [V; 4]) -> V::Scalar {
     let binormal = cross(first, second);
     let size = length(binormal);
-    dot(P::from_components(|d| binormal.component(d) / size), third) / size
+    dot(V::from_components(|d| binormal.component(d) / size), third) / size
 }
 
 /// The Frenet frame from the point, two derivatives and the tangent. `bend` is the size of second derivatives of which
 /// rounding leaves some `ε`: `n (n-1)` times the largest control point over the square of the width of the domain.
 pub(crate) fn frenet<P: Point3>(
-    [point, velocity, acceleration]: [P; 3],
+    [point, velocity, acceleration]: [P::Vector; 3],
     tangent: P::Vector,
     bend: P::Scalar,
     t: P::Scalar,
 ) -> Result<Frame<P>, CurveError> {
     let no_normal = CurveError::NoNormal { parameter: t.to_f64() };
-    let acceleration: P::Vector = recast(acceleration);
-    let across = acceleration.add_scaled(tangent, -dot(acceleration, tangent));
+    let across = acceleration.add_weighted(tangent, -dot(acceleration, tangent));
     // What is left of the second differences of the control points, and of the part along the tangent, by rounding.
     let noise = P::Scalar::of(16.0) * P::Scalar::EPSILON * (length(acceleration) + bend);
     if !(length(across) > noise && length(velocity) > P::Scalar::ZERO) {
         return Err(no_normal);
     }
     let normal = perpendicular(tangent, across).ok_or(no_normal)?;
-    Ok(Frame::new(point, tangent, normal))
+    Ok(Frame::new(P::from_vector(point), tangent, normal))
 }
 
 /// Frames by double reflection at the points and tangents of `at`, of which there is one for each place of the slice.
@@ -250,10 +249,10 @@ pub(crate) fn curvature<P: Point>(velocity: P, acceleration: P) -> P::Scalar {
 /// reflected, to the next one.
 fn reflect_twice<P: Point>(frame: &Frame<P>, point: P, tangent: P::Vector) -> P::Vector {
     let reflect = |mirror: P::Vector, vector: P::Vector| match direction(mirror) {
-        Some(unit) => vector.add_scaled(unit, -P::Scalar::of(2.0) * dot(unit, vector)),
+        Some(unit) => vector.add_weighted(unit, -P::Scalar::of(2.0) * dot(unit, vector)),
         None => vector,
     };
-    let first = recast(point.minus(frame.point));
+    let first = point.minus(frame.point);
     let second = tangent.minus(reflect(first, frame.tangent));
     reflect(second, reflect(first, frame.normal))
 }

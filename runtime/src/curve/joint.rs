@@ -95,7 +95,7 @@ impl<S: Scalar> Joint<S> {
 
 /// The angle between two unit vectors, accurate for all angles: `2 atan(|a - b| / |a + b|)`.
 fn angle<P: Point>(a: P, b: P) -> P::Scalar {
-    let sum = a.add_scaled(b, P::Scalar::ONE);
+    let sum = a.add_weighted(b, P::Scalar::ONE);
     P::Scalar::of(2.0) * distance(a, b).atan2(length(sum))
 }
 
@@ -103,6 +103,6 @@ fn angle<P: Point>(a: P, b: P) -> P::Scalar {
 fn curvature_vector<P: Point>(velocity: P, acceleration: P) -> Option<P> {
     let tangent = direction(velocity)?;
     let speed = length(velocity);
-    let bend = acceleration.add_scaled(tangent, -dot(acceleration, tangent));
+    let bend = acceleration.add_weighted(tangent, -dot(acceleration, tangent));
     Some(P::from_components(|d| bend.component(d) / speed / speed))
 }

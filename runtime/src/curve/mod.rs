@@ -12,8 +12,6 @@ mod length;
 #[cfg(feature = "alloc")]
 mod nearest;
 mod parts;
-#[cfg(feature = "alloc")]
-mod piecewise;
 mod slices;
 
 use core::fmt::{self, Debug, Formatter};
@@ -21,6 +19,7 @@ use core::fmt::{self, Debug, Formatter};
 use crate::bernstein;
 use crate::domain::{inverse_width, unit};
 use crate::form::bernstein_derivative;
+use crate::vector::vectors;
 use crate::{Array, Basis, CountError, Form, Point, Scalar};
 
 pub use contact::Contact;
@@ -38,8 +37,6 @@ pub use joint::Joint;
 pub(crate) use length::{ELLIPSES, RULES, Rule};
 pub use parts::{Bezier, BezierOf};
 pub(crate) use parts::{divisible, inside, nonempty};
-#[cfg(feature = "alloc")]
-pub use piecewise::PiecewiseCurve;
 pub use slices::Samples;
 pub(crate) use slices::same_length;
 
@@ -159,46 +156,47 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`; zero above the degree.
     ///
     /// `K` is their number: `let [p, v, a] = curve.eval_with_derivs(t);` gives the point, its velocity and
-    /// acceleration.
+    /// acceleration. All of them are vectors, the point as the one from the origin, [`Point::from_vector`].
     #[allow(clippy::inline_always)] // a result in memory costs more to hand over than to compute
     #[inline(always)]
-    pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P; K] {
+    pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P::Vector; K] {
         let [_, x] = unit(B::domain(), t);
         let inverse_width = inverse_width(B::domain());
-        let mut derivatives = self.form.eval_with_derivs(x);
+        let mut derivatives: [P; K] = self.form.eval_with_derivs(x);
         let mut scale = B::Scalar::ONE;
         for derivative in derivatives.iter_mut().take(B::DEGREE + 1).skip(1) {
             scale = scale * inverse_width;
             *derivative = derivative.scale(scale);
         }
-        derivatives
+        derivatives.map(P::to_vector)
     }
 
-    /// The derivative of that order with respect to `t`, `dᵏC/dtᵏ`, `k = order`; the point for order 0, zero above the
-    /// degree.
+    /// The derivative of that order with respect to `t`, `dᵏC/dtᵏ`, `k = order`; zero above the degree. For order 0 it
+    /// is the vector from the origin to the point.
     ///
     /// All of them at once: [`eval_with_derivs`](Self::eval_with_derivs) for a number known to the compiler,
     /// [`derivatives_into`](Self::derivatives_into) for any.
-    pub fn derivative(&self, t: B::Scalar, order: usize) -> P {
+    pub fn derivative(&self, t: B::Scalar, order: usize) -> P::Vector {
         if order == 0 {
-            return self.eval(t);
+            return self.eval(t).to_vector();
         }
         let [s, x] = unit(B::domain(), t);
         let inverse_width = inverse_width(B::domain());
         let scale = (0..order.min(B::DEGREE)).fold(B::Scalar::ONE, |scale, _| scale * inverse_width);
-        bernstein_derivative(self.to_bernstein().as_mut(), order, s, x).scale(scale)
+        bernstein_derivative(self.to_bernstein().as_mut(), order, s, x).scale(scale).to_vector()
     }
 
-    /// The point and its derivatives with respect to `t`, as many as the slice has places; zero above the degree.
-    pub fn derivatives_into(&self, t: B::Scalar, derivatives: &mut [P]) {
+    /// The point, as the vector from the origin, and its derivatives with respect to `t`, as many as the slice has places;
+    /// zero above the degree.
+    pub fn derivatives_into(&self, t: B::Scalar, derivatives: &mut [P::Vector]) {
         let [_, x] = unit(B::domain(), t);
         let inverse_width = inverse_width(B::domain());
-        let points = self.to_bernstein();
+        let points: B::Bernstein<P::Vector> = vectors(self.to_bernstein().as_ref());
         let mut scratch = points;
         bernstein::eval_with_derivs(points.as_ref(), x, scratch.as_mut(), derivatives);
         let mut scale = B::Scalar::ONE;
         for (k, derivative) in derivatives.iter_mut().enumerate().take(B::DEGREE + 1) {
-            *derivative = if k == 0 { self.eval(t) } else { derivative.scale(scale) };
+            *derivative = if k == 0 { self.eval(t).to_vector() } else { derivative.scale(scale) };
             scale = scale * inverse_width;
         }
     }

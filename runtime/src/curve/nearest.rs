@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 use crate::bernstein::{self, bracketed_root, changes_of_sign};
 use crate::domain::from_unit;
 use crate::numeric::binomial::row;
-use crate::vector::{distance, dot, is_finite, length};
+use crate::vector::{difference, distance, dot, is_finite, length};
 use crate::{Array, Basis, Curve, Nearest, Point, Scalar};
 
 /// Below this depth a piece is narrower than the distance of two floats.
@@ -38,7 +38,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<Nearest<P>> {
         let mut seen = self.to_bernstein();
         for p in seen.as_mut() {
-            *p = p.minus(point);
+            *p = difference(*p, point);
         }
         let size = seen.as_ref().iter().fold(B::Scalar::ZERO, |size, &p| size.max(length(p)));
         if !seen.as_ref().iter().all(|&p| is_finite(p)) || !size.is_finite() {

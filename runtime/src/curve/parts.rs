@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use crate::bernstein;
 use crate::domain::unit;
+use crate::vector::vectors;
 use crate::{Array, Basis, BernsteinBasis, BernsteinOf, Curve, CurveError, Point, Scalar};
 
 /// A Bézier curve with `N` control points, of degree `N - 1`, on `0 <= t <= 1`.
@@ -119,8 +120,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 
     /// The derivative `C'(t)` as a curve over the domain scaled to `0 <= x <= 1`, written with the degree of `C`.
     #[must_use]
-    pub fn hodograph(&self) -> BezierOf<B, P> {
-        let mut points = self.to_bernstein();
+    pub fn hodograph(&self) -> BezierOf<B, P::Vector> {
+        let mut points: B::Bernstein<P::Vector> = vectors(self.to_bernstein().as_ref());
         let scale = crate::domain::inverse_width(B::domain());
         let len = bernstein::differentiate(points.as_mut()).len();
         let derivative = points;
@@ -128,7 +129,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         for point in points.as_mut() {
             *point = point.scale(scale);
         }
-        bezier::<B, P>(points.as_ref())
+        bezier::<B, P::Vector>(points.as_ref())
     }
 }
 

@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use core::ops::Range;
 
 use crate::domain::{inverse_width, unit};
+use crate::vector::vectors;
 use crate::{Array, Basis, Curve, CurveError, Form, Point, Scalar};
 
 /// The number of parameters that are mapped to the unit interval at a time.
@@ -52,15 +53,16 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     pub fn eval_with_derivs_into<const K: usize>(
         &self,
         ts: &[B::Scalar],
-        mut out: [&mut [P]; K],
+        mut out: [&mut [P::Vector]; K],
     ) -> Result<(), CurveError> {
         for out in &out {
             same_length(ts, out)?;
         }
         let rate = inverse_width(B::domain());
+        let form: B::Form<P::Vector> = self.basis().bind(&vectors(self.control_points()));
         for_each_tile::<B>(ts, |first, xs| {
             let out = out.each_mut().map(|out| &mut out[first..first + xs.len()]);
-            self.form.eval_with_derivs_into(xs, rate, out);
+            form.eval_with_derivs_into(xs, rate, out);
         });
         Ok(())
     }

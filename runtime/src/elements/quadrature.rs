@@ -199,7 +199,7 @@ impl<X: Point> Quadrature<X> {
 
     /// `Σ w[q] f(x[q])`, the integral of a function with values that are numbers or points.
     pub fn integrate<Y: Point<Scalar = X::Scalar>>(&self, mut f: impl FnMut(X) -> Y) -> Y {
-        self.iter().fold(Y::zero(), |sum, (x, w)| sum.add_scaled(f(x), w))
+        self.iter().fold(Y::zero(), |sum, (x, w)| sum.add_weighted(f(x), w))
     }
 }
 

@@ -85,18 +85,24 @@ pub(super) enum End {
     Point(Vec<f64>),
     /// It is this point, and the derivative has this direction, of length 1.
     Tangent(Vec<f64>, Vec<f64>),
+    /// It is this point, and this is the derivative times the length of the domain.
+    Derivative(Vec<f64>, Vec<f64>),
 }
 
 impl End {
     pub(super) fn point(&self) -> Option<&[f64]> {
         match self {
             Self::Free => None,
-            Self::Point(point) | Self::Tangent(point, _) => Some(point),
+            Self::Point(point) | Self::Tangent(point, _) | Self::Derivative(point, _) => Some(point),
         }
     }
 
     pub(super) fn tangent(&self) -> Option<&[f64]> {
         if let Self::Tangent(_, tangent) = self { Some(tangent) } else { None }
+    }
+
+    pub(super) fn derivative(&self) -> Option<&[f64]> {
+        if let Self::Derivative(_, derivative) = self { Some(derivative) } else { None }
     }
 }
 
@@ -201,6 +207,11 @@ impl Problem<'_> {
             if end.tangent().is_some() {
                 right.fill(0.0);
                 right[dim + e] = HEAVY;
+                demand(&rows[1], &mut right);
+            }
+            if let Some(derivative) = end.derivative() {
+                right.fill(0.0);
+                right.iter_mut().zip(derivative).for_each(|(r, d)| *r = d * HEAVY);
                 demand(&rows[1], &mut right);
             }
         }
@@ -329,7 +340,11 @@ impl Problem<'_> {
                 let (along, square) = (dot(&slope, tangent), dot(&slope, &slope));
                 along > 0.0 && square - along * along <= 1e-12 * square
             });
-            there && along
+            let slope = end.derivative().is_none_or(|derivative| {
+                let away = minus(&sum(&rows[1], control, dim), derivative);
+                dot(&away, &away) <= 1e-18 * dot(derivative, derivative).max(1.0)
+            });
+            there && along && slope
         })
     }
 }

@@ -5,15 +5,17 @@ mod functions;
 mod grid;
 mod knots;
 mod linear;
+mod lines;
 mod orthogonal;
 mod polygon;
+mod shapes;
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-pub use fitted::{FitEnd, Fitted};
+pub use fitted::{FitEnd, Fitted, GridEnd};
 use functions::{Functions, Polynomial, Rational, Spanned, ends_of_domain};
-pub use grid::{FittedSurface, GridCorners, GridFit};
+pub use grid::{FittedSurface, GridFit};
 use knots::Over;
 use linear::{Data, End, Problem, Space, dot};
 use orthogonal::{Search, State};
@@ -420,11 +422,7 @@ impl<'a, P: Point> Fit<'a, P> {
         let smoothing = data.smoothing(self.smoothing.to_f64())?;
         let ends = self.ends_of(&data)?;
         let ranges = ranges.map(|range| range.map(Scalar::to_f64));
-        for (index, &[lo, hi]) in ranges.iter().enumerate() {
-            if !(lo < hi && (hi - lo).is_finite()) {
-                return Err(FitError::Range { index, range: [lo, hi] });
-            }
-        }
+        check_ranges(&ranges)?;
         let mut of = |shapes: &[f64]| {
             let shapes = core::array::from_fn(|k| P::Scalar::of(shapes[k]));
             family(shapes).ok()
@@ -508,13 +506,7 @@ impl<'a, P: Point> Fit<'a, P> {
             ends[e] = match self.ends[e] {
                 FitEnd::Free => End::Free,
                 FitEnd::Interpolated => End::Point(point),
-                FitEnd::Tangent(tangent) => {
-                    let unit = direction(tangent).ok_or(FitError::Tangent { end: e })?;
-                    let unit: Vec<f64> = (0..P::DIM).map(|d| unit.component(d).to_f64()).collect();
-                    // Of length 1 in double precision too, whatever the scalar type is.
-                    let length = Scalar::sqrt(dot(&unit, &unit));
-                    End::Tangent(point, unit.into_iter().map(|x| x / length).collect())
-                }
+                FitEnd::Tangent(tangent) => End::Tangent(point, unit_of::<P>(tangent, e)?),
             };
         }
         Ok(ends)
@@ -555,6 +547,21 @@ fn check_tolerance<S: Scalar>(tolerance: S) -> Result<(), FitError> {
         Ok(())
     } else {
         Err(FitError::Tolerance { value: tolerance.to_f64() })
+    }
+}
+
+/// The direction at an end, of length 1 in double precision too, whatever the scalar type is.
+fn unit_of<P: Point>(tangent: P::Vector, end: usize) -> Result<Vec<f64>, FitError> {
+    let unit = direction(tangent).ok_or(FitError::Tangent { end })?;
+    let unit: Vec<f64> = (0..P::DIM).map(|d| unit.component(d).to_f64()).collect();
+    let length = Scalar::sqrt(dot(&unit, &unit));
+    Ok(unit.into_iter().map(|x| x / length).collect())
+}
+
+fn check_ranges(ranges: &[[f64; 2]]) -> Result<(), FitError> {
+    match ranges.iter().position(|[lo, hi]| !(lo < hi && (hi - lo).is_finite())) {
+        Some(index) => Err(FitError::Range { index, range: ranges[index] }),
+        None => Ok(()),
     }
 }
 

@@ -6,6 +6,7 @@ use super::tiles::{BernsteinDerivatives, BernsteinPoints, MOST_COMPONENTS};
 use crate::basis::combination;
 use crate::numeric::binomial::binomials;
 use crate::numeric::simd::{WORTHWHILE, dispatch};
+use crate::vector::difference;
 use crate::{Form, Point, Scalar};
 
 /// The number of control points up to which a slice of parameters is evaluated in endpoint form, which is made on the
@@ -66,7 +67,7 @@ impl<P: Point, const N: usize> Form<P> for BernsteinForm<P, N> {
     #[inline]
     fn eval_with_derivs<const K: usize>(&self, x: P::Scalar) -> [P; K] {
         let s = P::Scalar::ONE - x;
-        let mut differences = self.points;
+        let mut coefficients = self.points;
         let mut binomials = const { binomials::<N>() };
         let mut factor = P::Scalar::ONE;
         let mut derivatives = [P::zero(); K];
@@ -74,13 +75,13 @@ impl<P: Point, const N: usize> Form<P> for BernsteinForm<P, N> {
             let len = N - k;
             if k > 0 {
                 factor = factor * P::Scalar::from_usize(len);
-                difference(&mut differences[..=len]);
+                differences(&mut coefficients[..=len]);
                 // Pascal's rule backwards: binomial(m-1, i) = binomial(m, i) - binomial(m-1, i-1).
                 for i in 1..len {
                     binomials[i] -= binomials[i - 1];
                 }
             }
-            *derivative = nested(&differences[..len], &binomials[..len], s, x).scale(factor);
+            *derivative = nested(&coefficients[..len], &binomials[..len], s, x).scale(factor);
         }
         derivatives
     }
@@ -142,7 +143,7 @@ pub(crate) fn nested<P: Point>(points: &[P], binomials: &[f64], s: P::Scalar, x:
     let mut power = P::Scalar::ONE;
     rest.iter().zip(&binomials[1..]).fold(first, |sum, (&point, &binomial)| {
         power = power * x;
-        sum.scale(s).add_scaled(point, power * P::Scalar::of(binomial))
+        sum.scale(s).add_weighted(point, power * P::Scalar::of(binomial))
     })
 }
 
@@ -167,12 +168,12 @@ fn stepwise<P: Point>(mut points: impl Iterator<Item = P>, binomials: &[f64], x:
     let (sum, lost) =
         points.zip(&binomials[1..]).fold((first, P::zero()), |(sum, lost), (point, &binomial)| {
             power = power * x;
-            let step = point.scale(power * P::Scalar::of(binomial)).minus(sum.scale(x));
-            let next = sum.add_scaled(step, one);
-            let rounded = sum.minus(next).add_scaled(step, one);
-            (next, lost.minus(lost.scale(x)).add_scaled(rounded, one))
+            let step = difference(point.scale(power * P::Scalar::of(binomial)), sum.scale(x));
+            let next = sum.add_weighted(step, one);
+            let rounded = difference(sum, next).add_weighted(step, one);
+            (next, difference(lost, lost.scale(x)).add_weighted(rounded, one))
         });
-    sum.add_scaled(lost, one)
+    sum.add_weighted(lost, one)
 }
 
 /// The derivative of that order, in `x`, of the polynomial with these Bernstein coefficients; overwrites them.
@@ -190,12 +191,12 @@ pub(crate) fn bernstein_derivative<P: Point>(
     let mut factor = P::Scalar::ONE;
     for k in 0..order {
         factor = factor * P::Scalar::from_usize(len - 1 - k);
-        difference(&mut coefficients[..len - k]);
+        differences(&mut coefficients[..len - k]);
     }
     // De Casteljau's algorithm.
     for end in (1..len - order).rev() {
         for i in 0..end {
-            coefficients[i] = coefficients[i].scale(s).add_scaled(coefficients[i + 1], x);
+            coefficients[i] = coefficients[i].scale(s).add_weighted(coefficients[i + 1], x);
         }
     }
     coefficients[0].scale(factor)
@@ -203,8 +204,8 @@ pub(crate) fn bernstein_derivative<P: Point>(
 
 /// Replaces all but the last point by the difference to the next.
 #[inline]
-fn difference<P: Point>(points: &mut [P]) {
+fn differences<P: Point>(points: &mut [P]) {
     for i in 1..points.len() {
-        points[i - 1] = points[i].minus(points[i - 1]);
+        points[i - 1] = difference(points[i], points[i - 1]);
     }
 }

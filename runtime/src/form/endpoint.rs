@@ -3,6 +3,7 @@
 use super::slices::{EndpointDerivatives, EndpointPoints};
 use crate::basis::combination;
 use crate::numeric::simd::dispatch;
+use crate::vector::difference;
 use crate::{Form, Point, Scalar};
 
 /// The curve of degree `R + 1`
@@ -56,12 +57,13 @@ impl<P: Point, const R: usize> Form<P> for EndpointForm<P, R> {
     fn eval(&self, x: P::Scalar) -> P {
         let s = P::Scalar::ONE - x;
         let y = x - s;
-        let chord = self.ends[0].scale(s).add_scaled(self.ends[1], x);
+        let chord = self.ends[0].scale(s).add_weighted(self.ends[1], x);
         match self.inner.split_last() {
             None => chord,
             Some((&last, rest)) => {
-                let inner = rest.iter().rev().fold(last, |sum, &coefficient| coefficient.add_scaled(sum, y));
-                chord.add_scaled(inner, s * x)
+                let inner =
+                    rest.iter().rev().fold(last, |sum, &coefficient| coefficient.add_weighted(sum, y));
+                chord.add_weighted(inner, s * x)
             }
         }
     }
@@ -89,21 +91,21 @@ impl<P: Point, const R: usize> Form<P> for EndpointForm<P, R> {
         for (step, &coefficient) in self.inner.iter().rev().enumerate() {
             // The higher ones are zero so far.
             for j in (1..K.min(step + 1)).rev() {
-                taylor[j] = if j < step { taylor[j - 1].add_scaled(taylor[j], y) } else { taylor[j - 1] };
+                taylor[j] = if j < step { taylor[j - 1].add_weighted(taylor[j], y) } else { taylor[j - 1] };
             }
-            taylor[0] = if step > 0 { coefficient.add_scaled(taylor[0], y) } else { coefficient };
+            taylor[0] = if step > 0 { coefficient.add_weighted(taylor[0], y) } else { coefficient };
         }
 
-        let chord = self.ends[1].minus(self.ends[0]);
+        let chord = difference(self.ends[1], self.ends[0]);
         let mut factor = P::Scalar::of(0.25); // 2ᵏ⁻² k!
         for k in 1..K.min(R + 2) {
             factor = factor * two * P::Scalar::from_usize(k);
             let mut sum = if k == 1 { chord } else { taylor[k - 2].scale(-factor) };
             if k - 1 < R {
-                sum = sum.add_scaled(taylor[k - 1], -(two * factor) * y);
+                sum = sum.add_weighted(taylor[k - 1], -(two * factor) * y);
             }
             if k < R {
-                sum = sum.add_scaled(taylor[k], (four * factor) * (s * x));
+                sum = sum.add_weighted(taylor[k], (four * factor) * (s * x));
             }
             derivatives[k] = sum;
         }

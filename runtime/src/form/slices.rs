@@ -9,6 +9,7 @@
 use super::tiles::MOST_COMPONENTS;
 use crate::numeric::binomial::binomials;
 use crate::numeric::simd::Kernel;
+use crate::vector::difference;
 use crate::{Point, Scalar, bernstein};
 
 /// The number of points that are finished before the next derivative: more than about four streams of results that
@@ -162,9 +163,9 @@ fn first_derivative<P: Point, A: Copy + AsRef<[P]> + AsMut<[P]>, const SKIP: usi
     let of = |j: usize| r.get(j).copied().unwrap_or_else(P::zero);
     for j in 1..=r.len() {
         let factor = half * P::Scalar::from_usize(j + 1);
-        coefficients.as_mut()[SKIP + j - 1] = of(j + 1).minus(of(j - 1)).scale(factor);
+        coefficients.as_mut()[SKIP + j - 1] = difference(of(j + 1), of(j - 1)).scale(factor);
     }
-    (end.minus(start).scale(rate).add_scaled(of(1), half), coefficients)
+    (difference(end, start).scale(rate).add_weighted(of(1), half), coefficients)
 }
 
 /// The derivative of `D0 + D1 y + …` in `x`, times `rate`: `2 (j+1) D[j+1]`.
@@ -200,7 +201,7 @@ pub(crate) fn endpoint_coefficients<P: Point, const N: usize>(points: &[P; N]) -
         let [a, b] = [number(degree - 1 - i), number(i + 1)];
         let p = points[i + 1];
         let gap = p.minus(ends[0]).scale(a).add_scaled(p.minus(ends[1]), b);
-        *r = gap.scale(number(degree - 1) / (a * b));
+        *r = P::from_vector(gap.scale(number(degree - 1) / (a * b)));
     }
     bernstein::centred_powers(inner);
     (ends, coefficients)

@@ -7,14 +7,14 @@ use crate::curve::backwards;
 use crate::numeric::binomial::binomial;
 use crate::vector::is_finite;
 use crate::{
-    Array, Basis, Contact, Curve, CurveError, PiecewiseCurve, Point, RationalBasis, RationalBezier,
-    RationalCurve, RationalSpline, Scalar, SpannedBasis, SpannedCurve,
+    Array, Basis, Contact, Curve, CurveError, Point, RationalBasis, RationalBezier, RationalCurve,
+    RationalSpline, Scalar, SpannedBasis, SpannedCurve,
 };
 
 /// A curve whose control points next to an end can be replaced so that it has given derivatives there: what
 /// [`ParametricCurve::continued`] and [`ParametricCurve::preceded`] move. All types with control points of their own
-/// are: [`Curve`], [`PiecewiseCurve`], [`RationalCurve`], [`SpannedCurve`], [`RationalBezier`], [`RationalSpline`],
-/// [`Path`](crate::Path), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
+/// are: [`Curve`], [`PiecewiseCurve`](crate::PiecewiseCurve) of these, [`RationalCurve`], [`SpannedCurve`],
+/// [`RationalBezier`], [`RationalSpline`], [`Path`](crate::Path), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
 pub trait JoinableCurve: ParametricCurve + Sized {
     /// The highest order of contact at an end: one less than the number of control points that its derivatives can
     /// determine.
@@ -46,10 +46,10 @@ pub(super) fn touching<P: Point>(
     if contact.order() > most {
         return Err(CurveError::Contact { family: "the curve", most, found: contact.order() });
     }
-    let mut derivatives = alloc::vec![P::zero(); contact.order() + 1];
+    let mut derivatives = alloc::vec![P::Vector::zero(); contact.order() + 1];
     curve.derivatives_into(t, &mut derivatives);
     contact.transform(&mut derivatives)?;
-    Ok(derivatives)
+    Ok(derivatives.into_iter().map(P::from_vector).collect())
 }
 
 /// The error for more derivatives than a curve can have.
@@ -72,7 +72,7 @@ pub(crate) fn replace_first<P: Point>(
     for (k, &derivative) in derivatives.iter().enumerate() {
         let row = row(k);
         let known = row.iter().zip(&*points).take(k);
-        let rest = known.fold(derivative, |rest, (&weight, &point)| rest.add_scaled(point, -weight));
+        let rest = known.fold(derivative, |rest, (&weight, &point)| rest.add_weighted(point, -weight));
         points[k] = P::from_components(|d| rest.component(d) / row[k]);
         if !is_finite(points[k]) {
             return Err(CurveError::NotFinite);
@@ -85,7 +85,7 @@ pub(crate) fn replace_first<P: Point>(
 pub(crate) fn numerators<P: Point>(derivatives: &[P], weights: &[P::Scalar]) -> Vec<P> {
     let of = |k: usize| {
         (0..=k).fold(P::zero(), |sum, i| {
-            sum.add_scaled(derivatives[k - i], binomial::<P::Scalar>(k, i) * weights[i])
+            sum.add_weighted(derivatives[k - i], binomial::<P::Scalar>(k, i) * weights[i])
         })
     };
     (0..derivatives.len()).map(of).collect()
@@ -171,38 +171,6 @@ impl<P: Point> JoinableCurve for RationalSpline<P> {
 
 fn finite<P: Point>(points: &[P]) -> Result<(), CurveError> {
     if points.iter().all(|&p| is_finite(p)) { Ok(()) } else { Err(CurveError::NotFinite) }
-}
-
-/// Only the first or the last segment is changed.
-impl<B: Basis, P: Point<Scalar = B::Scalar>> JoinableCurve for PiecewiseCurve<B, P> {
-    fn highest_contact(&self) -> usize {
-        self.segments()[0].highest_contact()
-    }
-
-    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
-        let mut segments = self.segments().to_vec();
-        segments[0] = segments[0].with_start(&in_segment::<B, P>(derivatives))?;
-        Self::new(segments)
-    }
-
-    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
-        let mut segments = self.segments().to_vec();
-        let last = segments.len() - 1;
-        segments[last] = segments[last].with_end(&in_segment::<B, P>(derivatives))?;
-        Self::new(segments)
-    }
-}
-
-/// The derivatives in the parameter of a segment, of which the unit interval of the whole curve is one.
-fn in_segment<B: Basis, P: Point<Scalar = B::Scalar>>(derivatives: &[P]) -> Vec<P> {
-    let [lo, hi] = B::domain();
-    let mut scale = P::Scalar::ONE;
-    let scaled = derivatives.iter().map(|derivative| {
-        let scaled = derivative.scale(P::Scalar::ONE / scale);
-        scale = scale * (hi - lo);
-        scaled
-    });
-    scaled.collect()
 }
 
 impl<P: Point> JoinableCurve for RationalBezier<P> {

@@ -4,19 +4,24 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::{CurvePiece, ParametricCurve};
-use crate::{
-    Basis, BernsteinOf, BezierOf, Curve, CurveError, Frame, Nearest, PiecewiseCurve, Point, Point3, Scalar,
-};
+use crate::{Basis, BezierOf, Curve, CurveError, Frame, Nearest, Point, Point3};
 
-/// Answers with the methods of the type, which have the same names.
+/// Answers with the methods of the type, or of one of its fields, which have the same names.
 macro_rules! forward {
-    ($($name:ident($($argument:ident: $type:ty),*) -> $result:ty;)+) => {$(
+    ($([$field:tt])? $($name:ident($($argument:ident: $type:ty),*) -> $result:ty;)+) => {
+        crate::geometry::forward! { @[$($field)?] $($name($($argument: $type),*) -> $result;)+ }
+    };
+    (@$field:tt $($name:ident($($argument:ident: $type:ty),*) -> $result:ty;)+) => {
+        $(crate::geometry::forward! { #$field $name($($argument: $type),*) -> $result })+
+    };
+    (#[$($field:tt)?] $name:ident($($argument:ident: $type:ty),*) -> $result:ty) => {
         #[inline]
         fn $name(&self, $($argument: $type),*) -> $result {
-            self.$name($($argument),*)
+            self.$($field.)?$name($($argument),*)
         }
-    )+};
+    };
 }
+pub(crate) use forward;
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for Curve<B, P> {
     type Point = P;
@@ -30,7 +35,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for Curve<B, P> {
         reversed() -> Self::Part;
         start() -> P;
         end() -> P;
-        derivative(t: P::Scalar, order: usize) -> P;
+        derivative(t: P::Scalar, order: usize) -> P::Vector;
         tangent(t: P::Scalar) -> Option<P::Vector>;
         curvature(t: P::Scalar) -> P::Scalar;
         arclen(accuracy: P::Scalar) -> P::Scalar;
@@ -46,12 +51,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for Curve<B, P> {
     }
 
     #[inline]
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P::Vector]) {
         self.derivatives_into(t, derivatives);
     }
 
     #[inline]
-    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P::Vector; K] {
         self.eval_with_derivs(t)
     }
 
@@ -78,56 +83,5 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for Curve<B, P> {
 
     fn pieces(&self) -> Vec<CurvePiece> {
         alloc::vec![CurvePiece::polynomial(B::domain(), self.to_bernstein().as_ref())]
-    }
-}
-
-impl<B: Basis, P: Point<Scalar = B::Scalar>> ParametricCurve for PiecewiseCurve<B, P> {
-    type Point = P;
-    type Part = PiecewiseCurve<BernsteinOf<B>, P>;
-
-    forward! {
-        domain() -> [P::Scalar; 2];
-        eval(t: P::Scalar) -> P;
-        split(t: P::Scalar) -> Result<[Self::Part; 2], CurveError>;
-        subsegment(range: Range<P::Scalar>) -> Result<Self::Part, CurveError>;
-        reversed() -> Self::Part;
-        start() -> P;
-        end() -> P;
-        tangent(t: P::Scalar) -> Option<P::Vector>;
-        curvature(t: P::Scalar) -> P::Scalar;
-        arclen(accuracy: P::Scalar) -> P::Scalar;
-        inv_arclen(length: P::Scalar, accuracy: P::Scalar) -> P::Scalar;
-        samples_by_arclen(count: usize, accuracy: P::Scalar) -> Vec<P>;
-        flatten(tolerance: P::Scalar) -> Result<Vec<P>, CurveError>;
-        control_box() -> [P; 2];
-        bounding_box() -> [P; 2];
-        nearest(point: P, accuracy: P::Scalar) -> Option<Nearest<P>>;
-    }
-
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
-        let (index, local) = self.locate(t);
-        self.segments()[index].derivatives_into(local, derivatives);
-        let [lo, hi] = B::domain();
-        let mut scale = P::Scalar::ONE;
-        for derivative in derivatives {
-            *derivative = derivative.scale(scale);
-            scale = scale * (hi - lo);
-        }
-    }
-
-    #[inline]
-    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
-        self.eval_with_derivs(t)
-    }
-
-    #[inline]
-    fn samples(&self, count: usize) -> impl ExactSizeIterator<Item = P> + DoubleEndedIterator {
-        self.samples(count)
-    }
-
-    fn pieces(&self) -> Vec<CurvePiece> {
-        let domain = |k: usize| [k, k + 1].map(P::Scalar::from_usize);
-        let segments = self.segments().iter().enumerate();
-        segments.map(|(k, s)| CurvePiece::polynomial(domain(k), s.to_bernstein().as_ref())).collect()
     }
 }

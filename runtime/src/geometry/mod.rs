@@ -22,6 +22,7 @@ pub use continued::JoinableCurve;
 #[cfg(feature = "bspline")]
 pub(crate) use continued::{numerators, possible, replace_first};
 pub(crate) use convert::clamped;
+pub(crate) use curves::forward;
 pub(crate) use measure::bounds::control_box;
 pub use measure::enclosed::Enclosed;
 pub(crate) use meetings::of_line;

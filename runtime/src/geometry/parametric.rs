@@ -17,7 +17,7 @@ use crate::{
 /// The scalar type of a curve: of its parameter and of the components of its points.
 pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
 
-/// The type of the tangents and normals of a curve.
+/// The type of the derivatives, tangents and normals of a curve.
 pub type CurveVector<C> = <<C as ParametricCurve>::Point as Point>::Vector;
 
 /// A curve `C(t)`, `lo <= t <= hi`, of any type: [`Curve`](crate::Curve) over a family, Bézier curve,
@@ -57,9 +57,10 @@ pub trait ParametricCurve {
     /// The point `C(t)`.
     fn eval(&self, t: CurveScalar<Self>) -> Self::Point;
 
-    /// The point and its derivatives with respect to `t`, as many as the slice has places. Where a derivative jumps, it
-    /// is that of the later piece; at the end of the domain that of the last one.
-    fn derivatives_into(&self, t: CurveScalar<Self>, derivatives: &mut [Self::Point]);
+    /// The derivatives `C⁽ᵏ⁾(t)`, `k = 0, 1, 2, …`, as many as the slice has places; the one of order 0 is the vector from
+    /// the origin to the point. Where a derivative jumps, it is that of the later piece; at the end of the domain that of
+    /// the last one.
+    fn derivatives_into(&self, t: CurveScalar<Self>, derivatives: &mut [CurveVector<Self>]);
 
     /// The rational Bézier pieces of which the curve consists, in the order of their domains, which meet. Where a curve is
     /// rational in another parameter than its own, as one over a family with sines is, they are pieces in that one: see
@@ -141,19 +142,20 @@ pub trait ParametricCurve {
         Ok(())
     }
 
-    /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`.
-    fn eval_with_derivs<const K: usize>(&self, t: CurveScalar<Self>) -> [Self::Point; K]
+    /// The derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`, as vectors: the first one goes from the origin to
+    /// the point, which [`Point::from_vector`] makes of it.
+    fn eval_with_derivs<const K: usize>(&self, t: CurveScalar<Self>) -> [CurveVector<Self>; K]
     where
         Self: Sized,
     {
-        let mut derivatives = [Self::Point::zero(); K];
+        let mut derivatives = [CurveVector::<Self>::zero(); K];
         self.derivatives_into(t, &mut derivatives);
         derivatives
     }
 
-    /// The derivative of that order with respect to `t`; the point for order 0.
-    fn derivative(&self, t: CurveScalar<Self>, order: usize) -> Self::Point {
-        let mut derivatives = alloc::vec![Self::Point::zero(); order + 1];
+    /// The derivative of that order with respect to `t`; for order 0 the vector from the origin to the point.
+    fn derivative(&self, t: CurveScalar<Self>, order: usize) -> CurveVector<Self> {
+        let mut derivatives = alloc::vec![CurveVector::<Self>::zero(); order + 1];
         self.derivatives_into(t, &mut derivatives);
         derivatives[order]
     }
@@ -179,13 +181,13 @@ pub trait ParametricCurve {
     /// Where the velocity vanishes it is the limit: at a cusp the direction of leaving, at the end of the domain that
     /// of arriving. `None` if the curve is a point there, and if anything is not finite.
     fn tangent(&self, t: CurveScalar<Self>) -> Option<CurveVector<Self>> {
-        let mut first = [Self::Point::zero(); 2];
+        let mut first = [CurveVector::<Self>::zero(); 2];
         self.derivatives_into(t, &mut first);
         let [lo, hi] = self.domain();
         let [size, speed] = [first[0], first[1].scale(hi - lo)].map(largest_component);
         // Far above the rounding errors the velocity has the direction.
         if speed > CurveScalar::<Self>::EPSILON.sqrt() * (size + self.extent()) {
-            return direction(recast(first[1]));
+            return direction(first[1]);
         }
         let heading = local::heading(&self.pieces(), self.place_of(t))?;
         direction(CurveVector::<Self>::from_components(|d| CurveScalar::<Self>::of(heading[d])))
@@ -203,7 +205,7 @@ pub trait ParametricCurve {
     ///
     /// Infinite or NaN where the velocity vanishes.
     fn curvature(&self, t: CurveScalar<Self>) -> CurveScalar<Self> {
-        let mut derivatives = [Self::Point::zero(); 3];
+        let mut derivatives = [CurveVector::<Self>::zero(); 3];
         self.derivatives_into(t, &mut derivatives);
         curvature(derivatives[1], derivatives[2])
     }
@@ -216,7 +218,7 @@ pub trait ParametricCurve {
     where
         Self::Point: Point3,
     {
-        let mut derivatives = [Self::Point::zero(); 4];
+        let mut derivatives = [CurveVector::<Self>::zero(); 4];
         self.derivatives_into(t, &mut derivatives);
         torsion(derivatives)
     }
@@ -230,7 +232,7 @@ pub trait ParametricCurve {
     where
         Self::Point: Point3,
     {
-        let mut derivatives = [Self::Point::zero(); 3];
+        let mut derivatives = [CurveVector::<Self>::zero(); 3];
         self.derivatives_into(t, &mut derivatives);
         let tangent = self.tangent(t).ok_or(CurveError::NoTangent)?;
         let bend = local::bend(&self.pieces(), self.place_of(t));
@@ -494,7 +496,7 @@ pub trait ParametricCurve {
     /// ```
     fn joint(&self, next: &dyn ParametricCurve<Point = Self::Point>) -> Joint<CurveScalar<Self>> {
         let (t, s) = (self.domain()[1], next.domain()[0]);
-        let [mut end, mut start] = [[Self::Point::zero(); 4]; 2];
+        let [mut end, mut start] = [[CurveVector::<Self>::zero(); 4]; 2];
         self.derivatives_into(t, &mut end);
         next.derivatives_into(s, &mut start);
         Joint::between(end, start, [self.tangent(t), next.tangent(s)])

@@ -33,7 +33,7 @@ pub(crate) fn solve<P: Point>(
                     *a = *a - factor * b;
                 }
                 other[column] = P::Scalar::ZERO;
-                *target = target.add_scaled(*right, -factor);
+                *target = target.add_weighted(*right, -factor);
             }
         }
         solved.push(column);
@@ -47,7 +47,7 @@ pub(crate) fn solve<P: Point>(
         let (row, right) = &system[k];
         let mut value = *right;
         for &later in &solved[k + 1..] {
-            value = value.add_scaled(changes[later], -row[later]);
+            value = value.add_weighted(changes[later], -row[later]);
         }
         changes[column] = P::from_components(|c| value.component(c) / row[column]);
     }

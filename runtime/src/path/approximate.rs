@@ -94,12 +94,12 @@ fn candidate<P: Point>(segment: &PathSegment<P>, degree: usize) -> Vec<P> {
     if degree == 2 {
         let middle = segment.eval(P::Scalar::of(0.5));
         let half = P::Scalar::of(-0.5);
-        let handle = middle.scale(P::Scalar::of(2.0)).add_scaled(start, half).add_scaled(end, half);
+        let handle = middle.scale(P::Scalar::of(2.0)).add_weighted(start, half).add_weighted(end, half);
         return alloc::vec![start, handle, end];
     }
     let third = P::Scalar::ONE / P::Scalar::of(3.0);
     let slope = |x: P::Scalar| {
-        let mut derivatives = [P::zero(); 2];
+        let mut derivatives = [P::Vector::zero(); 2];
         segment.derivatives_into(x, &mut derivatives);
         derivatives[1]
     };

@@ -147,7 +147,7 @@ impl<P: Point> ParametricCurve for Path<P> {
         self.segments[index].eval(x)
     }
 
-    fn derivatives_into(&self, u: P::Scalar, derivatives: &mut [P]) {
+    fn derivatives_into(&self, u: P::Scalar, derivatives: &mut [P::Vector]) {
         let (index, x) = self.locate(u);
         self.segments[index].derivatives_into(x, derivatives);
     }

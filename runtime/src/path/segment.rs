@@ -131,24 +131,25 @@ impl<P: Point> PathSegment<P> {
     crate::affine::transform!();
 
     /// The point and its derivatives, from Leibniz' rule for numerator and denominator.
-    pub(super) fn derivatives_into(&self, x: P::Scalar, derivatives: &mut [P]) {
-        let mut scratch = self.points.clone();
+    pub(super) fn derivatives_into(&self, x: P::Scalar, derivatives: &mut [P::Vector]) {
+        let numerators: Vec<P::Vector> = self.numerators().into_iter().map(P::to_vector).collect();
+        let mut scratch = numerators.clone();
         if self.weights.is_empty() {
-            bernstein::eval_with_derivs(&self.points, x, &mut scratch, derivatives);
+            bernstein::eval_with_derivs(&numerators, x, &mut scratch, derivatives);
         } else {
-            bernstein::eval_with_derivs(&self.numerators(), x, &mut scratch, derivatives);
+            bernstein::eval_with_derivs(&numerators, x, &mut scratch, derivatives);
             let mut weights = alloc::vec![P::Scalar::ZERO; derivatives.len()];
             bernstein::eval_with_derivs(&self.weights, x, &mut self.weights.clone(), &mut weights);
             for order in 0..derivatives.len() {
                 for i in 1..=order {
                     let factor = binomial::<P::Scalar>(order, i) * weights[i];
-                    derivatives[order] = derivatives[order].add_scaled(derivatives[order - i], -factor);
+                    derivatives[order] = derivatives[order].add_weighted(derivatives[order - i], -factor);
                 }
                 derivatives[order] = derivatives[order].scale(P::Scalar::ONE / weights[0]);
             }
         }
         if let Some(first) = derivatives.first_mut() {
-            *first = self.eval(x);
+            *first = self.eval(x).to_vector();
         }
     }
 

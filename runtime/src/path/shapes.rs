@@ -92,7 +92,7 @@ impl<P: Point> Path<P> {
             let halves = if closed && halves == 2 * count { 0 } else { halves };
             let (sin, cos) = exact_sin_cos(start + half * P::Scalar::from_usize(halves));
             let length = if halves % 2 == 1 { P::Scalar::ONE / weight } else { P::Scalar::ONE };
-            centre.add_scaled(axes[0], cos * length).add_scaled(axes[1], sin * length)
+            centre.add_weighted(axes[0], cos * length).add_weighted(axes[1], sin * length)
         };
         let segment = |k: usize| {
             let weights = alloc::vec![P::Scalar::ONE, weight, P::Scalar::ONE];

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::approximate::deviation;
 use super::{Path, PathSegment};
-use crate::vector::{direction, distance, is_finite, largest_component, recast};
+use crate::vector::{direction, distance, is_finite, largest_component};
 use crate::{BernsteinBasis, CurveError, Fit, FitEnd, Point, Scalar};
 
 /// How often a part is halved before it counts as too far away.
@@ -89,12 +89,12 @@ impl<P: Point> Path<P> {
 fn replacement<P: Point>(run: &[PathSegment<P>], tolerance: P::Scalar) -> Option<PathSegment<P>> {
     let [first, .., last] = run else { return None };
     let slope = |segment: &PathSegment<P>, x: P::Scalar, sign: P::Scalar| {
-        let mut derivatives = [P::zero(); 2];
+        let mut derivatives = [P::Vector::zero(); 2];
         segment.derivatives_into(x, &mut derivatives);
         // Where the first control points coincide, the chord has the direction well enough.
-        direction(recast::<_, P::Vector>(derivatives[1])).or_else(|| {
+        direction(derivatives[1]).or_else(|| {
             let inside = segment.eval(P::Scalar::of(1e-3) * (P::Scalar::ONE - x) + P::Scalar::of(0.999) * x);
-            direction(recast(inside.minus(segment.eval(x)).scale(sign)))
+            direction(inside.minus(segment.eval(x)).scale(sign))
         })
     };
     let ends = [

@@ -54,24 +54,24 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> ParametricCurve for Rationa
         self.eval_into(ts, out)
     }
 
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
-        let (mut numerator, mut weights) = (self.to_bernstein(), self.basis().denominator());
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P::Vector]) {
+        let (mut numerator, mut weights) = (self.numerator_vectors(), self.basis().denominator());
         derivatives_into(numerator.as_mut(), weights.as_mut(), &self.chart(), t, derivatives);
         if let Some(point) = derivatives.first_mut() {
-            *point = self.eval(t);
+            *point = self.eval(t).to_vector();
         }
     }
 
     #[inline]
-    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P::Vector; K] {
         self.eval_with_derivs(t)
     }
 
-    fn derivative(&self, t: P::Scalar, order: usize) -> P {
+    fn derivative(&self, t: P::Scalar, order: usize) -> P::Vector {
         if order == 0 {
-            return self.eval(t);
+            return self.eval(t).to_vector();
         }
-        let (mut numerator, mut weights) = (self.to_bernstein(), self.basis().denominator());
+        let (mut numerator, mut weights) = (self.numerator_vectors(), self.basis().denominator());
         derivative(numerator.as_mut(), weights.as_mut(), &self.chart(), t, order)
     }
 

@@ -196,10 +196,10 @@ fn contact_of<P: Point>(
     if contact.order() >= len {
         return Err(CurveError::Contact { family, most: len.saturating_sub(1), found: contact.order() });
     }
-    let mut derivatives = alloc::vec![P::zero(); contact.order() + 1];
+    let mut derivatives = alloc::vec![P::Vector::zero(); contact.order() + 1];
     curve.derivatives_into(t, &mut derivatives);
     contact.transform(&mut derivatives)?;
-    Ok(derivatives)
+    Ok(derivatives.into_iter().map(P::from_vector).collect())
 }
 
 /// The curve, if its control points are finite.

@@ -94,7 +94,7 @@ impl<P: Point> RationalBezier<P> {
         // With f(x) = A x + b the numerator A N + w b is f(N) + (w - 1) f(0).
         let origin = image(P::zero());
         let all = self.numerator.iter().zip(&self.weights);
-        let numerator = all.map(|(&n, &w)| image(n).add_scaled(origin, w - P::Scalar::ONE)).collect();
+        let numerator = all.map(|(&n, &w)| image(n).add_weighted(origin, w - P::Scalar::ONE)).collect();
         RationalBezier { domain: self.domain, numerator, weights: self.weights.clone() }
     }
 
@@ -159,13 +159,14 @@ impl<P: Point> ParametricCurve for RationalBezier<P> {
         P::from_components(|d| point.component(d) / weight)
     }
 
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
-        let (mut numerator, mut weights) = (self.numerator.clone(), self.weights.clone());
-        derivatives_into(&mut numerator, &mut weights, &self.chart(), t, derivatives);
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P::Vector]) {
+        let mut numerator: Vec<P::Vector> = self.numerator.iter().map(|p| p.to_vector()).collect();
+        derivatives_into(&mut numerator, &mut self.weights.clone(), &self.chart(), t, derivatives);
     }
 
-    fn derivative(&self, t: P::Scalar, order: usize) -> P {
-        derivative(&mut self.numerator.clone(), &mut self.weights.clone(), &self.chart(), t, order)
+    fn derivative(&self, t: P::Scalar, order: usize) -> P::Vector {
+        let mut numerator: Vec<P::Vector> = self.numerator.iter().map(|p| p.to_vector()).collect();
+        derivative(&mut numerator, &mut self.weights.clone(), &self.chart(), t, order)
     }
 
     fn pieces(&self) -> Vec<CurvePiece> {

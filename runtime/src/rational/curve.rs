@@ -10,6 +10,7 @@ use crate::curve::same_length;
 use crate::form::MOST_COMPONENTS;
 use crate::numeric::binomial::row;
 use crate::numeric::simd::{WORTHWHILE, dispatch};
+use crate::vector::vectors;
 use crate::{Array, CountError, CurveError, Point, Scalar};
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]` and rational functions `b[i]`.
@@ -131,16 +132,22 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
         Err(CurveError::Parameter { value: t.to_f64(), domain: self.domain().map(Scalar::to_f64) })
     }
 
+    /// The numerator as vectors, of which derivatives are computed.
+    #[inline]
+    pub(super) fn numerator_vectors(&self) -> B::Bernstein<P::Vector> {
+        vectors(self.to_bernstein().as_ref())
+    }
+
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`, `K` of them.
     #[inline]
-    pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P; K] {
-        let (mut curve, mut out) = ([P::zero(); K], [P::zero(); K]);
+    pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P::Vector; K] {
+        let (mut curve, mut out) = ([P::Vector::zero(); K], [P::Vector::zero(); K]);
         let (mut weight, mut map) = ([B::Scalar::ZERO; K], [B::Scalar::ZERO; K]);
         let room = Room { curve: &mut curve, weight: &mut weight, map: &mut map };
-        let (mut numerator, mut denominator) = (self.to_bernstein(), self.basis.denominator());
+        let (mut numerator, mut denominator) = (self.numerator_vectors(), self.basis.denominator());
         derivatives(numerator.as_mut(), denominator.as_mut(), &self.chart, t, room, &mut out);
         if let Some(point) = out.first_mut() {
-            *point = self.eval(t);
+            *point = self.eval(t).to_vector();
         }
         out
     }
@@ -223,7 +230,7 @@ fn nested<P: Point>(coefficients: &[P], s: P::Scalar, x: P::Scalar) -> P {
     let mut power = P::Scalar::ONE;
     rest.iter().fold(first, |sum, &c| {
         power = power * x;
-        sum.scale(s).add_scaled(c, power)
+        sum.scale(s).add_weighted(c, power)
     })
 }
 

@@ -1,6 +1,7 @@
 //! Derivatives of quotients by power series: no rule for quotients is applied more than once.
 
 use super::Chart;
+use crate::vector::difference;
 use crate::{Point, Scalar, bernstein};
 
 /// Room for the power series of a curve, as many terms each as there are derivatives.
@@ -84,7 +85,7 @@ pub(crate) fn derivatives<P: Point>(
     for k in 0..curve.len() {
         let mut rest = curve[k];
         for i in 1..=k {
-            rest = rest.add_scaled(curve[k - i], -weight[i]);
+            rest = rest.add_weighted(curve[k - i], -weight[i]);
         }
         curve[k] = P::from_components(|d| rest.component(d) / weight[0]);
     }
@@ -96,7 +97,7 @@ pub(crate) fn derivatives<P: Point>(
         for i in (0..count).rev() {
             let mut sum = P::zero();
             for j in 0..i {
-                sum = sum.add_scaled(out[j], map[i - j]);
+                sum = sum.add_weighted(out[j], map[i - j]);
             }
             out[i] = sum;
         }
@@ -122,7 +123,7 @@ fn taylor<P: Point>(coefficients: &mut [P], x: P::Scalar, out: &mut [P]) {
         let len = degree + 1 - k;
         *out = bernstein::eval(&coefficients[..len], x).scale(binomial);
         for i in 1..len {
-            coefficients[i - 1] = coefficients[i].minus(coefficients[i - 1]);
+            coefficients[i - 1] = difference(coefficients[i], coefficients[i - 1]);
         }
         binomial = binomial * P::Scalar::from_usize(degree - k) / P::Scalar::from_usize(k + 1);
     }

@@ -217,7 +217,7 @@ impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> SpannedCurve<B, P> {
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`, `K` of them; where they jump those of
     /// the later span.
     #[inline]
-    pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P; K] {
+    pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P::Vector; K] {
         self.span_at(t).1.eval_with_derivs(t)
     }
 

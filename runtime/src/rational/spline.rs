@@ -91,7 +91,7 @@ impl<P: Point> ParametricCurve for RationalSpline<P> {
         self.curves[index].eval(x)
     }
 
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P::Vector]) {
         let (index, x) = self.locate(t);
         self.curves[index].derivatives_into(x, derivatives);
     }
@@ -178,12 +178,12 @@ impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> ParametricCurve for SpannedC
         self.eval_into(ts, out)
     }
 
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P::Vector]) {
         self.span_at(t).1.derivatives_into(t, derivatives);
     }
 
     #[inline]
-    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P::Vector; K] {
         self.eval_with_derivs(t)
     }
 

@@ -4,7 +4,7 @@
 //! function of `(c, r, q)`, so that those at the Bézier control points bound it.
 
 use super::{SurfaceOfRevolution, circle};
-use crate::{Basis, Curve, Point3, Scalar};
+use crate::{Basis, Curve, Point, Point3, Scalar};
 
 /// The number of parts of the generatrix that are looked at for each side of a box.
 #[cfg(feature = "alloc")]
@@ -68,11 +68,14 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     /// The least and the largest value of each component, which is given as the curve `(c, r, q)`; the least one is
     /// that of the opposites, with the sign -1.
     fn sides(&self, largest: impl Fn(Curve<B, [B::Scalar; 3]>) -> B::Scalar) -> [P; 2] {
-        let [centres, radii, quarters] =
-            [&self.centres, &self.radii, &self.quarters].map(Curve::control_points);
+        let centres = self.centres.control_points();
+        let [radii, quarters] = [&self.radii, &self.quarters].map(Curve::control_points);
         [-B::Scalar::ONE, B::Scalar::ONE].map(|sign| {
             P::from_components(|d| {
-                let point = |i: usize| [centres, radii, quarters].map(|points| points[i].component(d) * sign);
+                let point = |i: usize| {
+                    [centres[i].component(d), radii[i].component(d), quarters[i].component(d)]
+                        .map(|c| c * sign)
+                };
                 let component = Curve::new(self.centres.basis(), crate::Array::from_fn(point));
                 largest(component) * sign
             })

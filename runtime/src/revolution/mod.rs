@@ -10,7 +10,7 @@ use core::ops::Range;
 
 use crate::curve::{divisible, nonempty};
 use crate::surface::partials_by_number;
-use crate::vector::{any_perpendicular, cross, direction, distance, dot, is_finite, length, recast};
+use crate::vector::{any_perpendicular, cross, direction, distance, dot, is_finite, length};
 use crate::{
     Array, Basis, BernsteinOf, BezierOf, Curve, CurveError, Direction, Point, Point3, Scalar, Surface,
     SurfaceDomain,
@@ -69,9 +69,9 @@ pub struct SurfaceOfRevolution<B: Basis, P: Point3<Scalar = B::Scalar>> {
     /// `O + h d`, the centres of the circles.
     centres: Curve<B, P>,
     /// `r`, from the centre to the point at angle 0.
-    radii: Curve<B, P>,
+    radii: Curve<B, P::Vector>,
     /// `d × r`, from the centre to the point at a right angle.
-    quarters: Curve<B, P>,
+    quarters: Curve<B, P::Vector>,
     angle: B::Scalar,
 }
 
@@ -91,30 +91,26 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         if !(angle > B::Scalar::ZERO && angle <= B::Scalar::of(2.0) * B::Scalar::PI) {
             return Err(RevolutionError::Angle { value: angle.to_f64() });
         }
-        let along_axis =
-            direction(recast::<_, P>(axis)).filter(|_| is_finite(point)).ok_or(RevolutionError::Axis)?;
+        let along_axis = direction(axis).filter(|_| is_finite(point)).ok_or(RevolutionError::Axis)?;
         let points = generatrix.control_points();
         if !points.iter().all(|&p| is_finite(p)) {
             return Err(RevolutionError::NotFinite);
         }
         let basis = generatrix.basis();
-        let curve = |of: &dyn Fn(P, P) -> P| {
-            Curve::new(
-                basis,
-                B::Points::from_fn(|i| {
-                    let offset = points[i].minus(point);
-                    let along = along_axis.scale(dot(offset, along_axis));
-                    of(along, offset.minus(along))
-                }),
-            )
-        };
+        let parts: B::Points<[P::Vector; 2]> = B::Points::from_fn(|i| {
+            let offset = points[i].minus(point);
+            let along = along_axis.scale(dot(offset, along_axis));
+            [along, offset.minus(along)]
+        });
+        let parts = parts.as_ref();
+        let centre = |i: usize| point.add_scaled(parts[i][0], B::Scalar::ONE);
         Ok(Self {
             generatrix: *generatrix,
             point,
             axis,
-            centres: curve(&|along, _| point.add_scaled(along, B::Scalar::ONE)),
-            radii: curve(&|_, radius| radius),
-            quarters: curve(&|_, radius| cross(along_axis, radius)),
+            centres: Curve::new(basis, B::Points::from_fn(centre)),
+            radii: Curve::new(basis, B::Points::from_fn(|i| parts[i][1])),
+            quarters: Curve::new(basis, B::Points::from_fn(|i| cross(along_axis, parts[i][1]))),
             angle,
         })
     }
@@ -164,7 +160,7 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         &self,
         mut image: impl FnMut(P) -> Q,
     ) -> Result<SurfaceOfRevolution<B, Q>, RevolutionError> {
-        let along = direction(recast::<_, P>(self.axis)).ok_or(RevolutionError::Axis)?;
+        let along = direction(self.axis).ok_or(RevolutionError::Axis)?;
         let across = any_perpendicular(along);
         // The images of a frame as large as the surface.
         let points = self.generatrix.control_points();
@@ -184,10 +180,8 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         }
         // A reflection turns the other way about the image of the axis.
         let mirrored = dot(cross(frame[0], frame[1]), frame[2]) < B::Scalar::ZERO;
-        let axis = recast::<P::Vector, Q::Vector>(self.axis);
-        let length_of_axis = length(axis) / lengths[0];
-        let axis =
-            recast::<_, Q::Vector>(frame[0]).scale(if mirrored { -length_of_axis } else { length_of_axis });
+        let length_of_axis = length(self.axis) / lengths[0];
+        let axis = frame[0].scale(if mirrored { -length_of_axis } else { length_of_axis });
         SurfaceOfRevolution::new(&self.generatrix.map(image), origin, axis, self.angle)
     }
 
@@ -203,8 +197,8 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     /// The meridian at the angle `v`: the generatrix, turned by that angle.
     pub fn meridian(&self, v: B::Scalar) -> Curve<B, P> {
         let [cos, sin] = circle::direction(v);
-        let [centres, radii, quarters] =
-            [&self.centres, &self.radii, &self.quarters].map(Curve::control_points);
+        let centres = self.centres.control_points();
+        let [radii, quarters] = [&self.radii, &self.quarters].map(Curve::control_points);
         let point = |i: usize| centres[i].add_scaled(radii[i], cos).add_scaled(quarters[i], sin);
         Curve::new(self.centres.basis(), B::Points::from_fn(point))
     }
@@ -250,9 +244,9 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         nonempty(u_domain, &u)?;
         nonempty(v_domain, &v)?;
         let part = |curve: &Curve<B, P>| curve.subsegment(u.clone());
-        let curves =
-            [part(&self.generatrix)?, part(&self.centres)?, part(&self.radii)?, part(&self.quarters)?];
-        Ok(self.turned(curves, v))
+        let radial = |curve: &Curve<B, P::Vector>| curve.subsegment(u.clone());
+        let curves = [part(&self.generatrix)?, part(&self.centres)?];
+        Ok(self.turned(curves, [radial(&self.radii)?, radial(&self.quarters)?], v))
     }
 
     /// The same surface with one parameter running the other way, with a generatrix in Bézier form on the unit interval;
@@ -260,32 +254,35 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     #[must_use]
     pub fn reversed(&self, along: Direction) -> SurfaceOfRevolution<BernsteinOf<B>, P> {
         let [_, [lo, hi]] = self.domain().ranges();
-        let curves = [&self.generatrix, &self.centres, &self.radii, &self.quarters];
+        let (curves, radial) = ([&self.generatrix, &self.centres], [&self.radii, &self.quarters]);
         match along {
-            Direction::U => self.turned(curves.map(Curve::reversed), lo..hi),
-            Direction::V => self.turned(curves.map(Curve::to_bezier), hi..lo),
+            Direction::U => self.turned(curves.map(Curve::reversed), radial.map(Curve::reversed), lo..hi),
+            Direction::V => self.turned(curves.map(Curve::to_bezier), radial.map(Curve::to_bezier), hi..lo),
         }
     }
 
     /// The surface between two angles, over these parts of the generatrix, the centres, the radii and the quarters.
     fn turned(
         &self,
-        [generatrix, centres, radii, quarters]: [BezierOf<B, P>; 4],
+        [generatrix, centres]: [BezierOf<B, P>; 2],
+        radial: [BezierOf<B, P::Vector>; 2],
         v: Range<P::Scalar>,
     ) -> SurfaceOfRevolution<BernsteinOf<B>, P> {
         let [cos, sin] = circle::direction(v.start);
         let sign = if v.start > v.end { -P::Scalar::ONE } else { P::Scalar::ONE };
-        let curve = |of: &dyn Fn(usize) -> P| Curve::new(BernsteinOf::<B>::default(), Array::from_fn(of));
-        let [c, r, q] = [&centres, &radii, &quarters].map(Curve::control_points);
-        let radii = curve(&|i| r[i].scale(cos).add_scaled(q[i], sin));
-        let quarters = curve(&|i| q[i].scale(cos).add_scaled(r[i], -sin).scale(sign));
+        let basis = BernsteinOf::<B>::default();
+        let [r, q] = radial.each_ref().map(Curve::control_points);
+        let radii = Curve::new(basis, Array::from_fn(|i| r[i].scale(cos).add_scaled(q[i], sin)));
+        let quarter = |i: usize| q[i].scale(cos).add_scaled(r[i], -sin).scale(sign);
+        let quarters = Curve::new(basis, Array::from_fn(quarter));
+        let c = centres.control_points();
         let start = radii.control_points();
         SurfaceOfRevolution {
             // At the angle 0 as it was given.
             generatrix: if sin == P::Scalar::ZERO && cos == P::Scalar::ONE {
                 generatrix
             } else {
-                curve(&|i| c[i].add_scaled(start[i], P::Scalar::ONE))
+                Curve::new(basis, Array::from_fn(|i| c[i].add_scaled(start[i], P::Scalar::ONE)))
             },
             point: self.point,
             axis: self.axis.scale(sign),
@@ -324,17 +321,17 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> Surface for SurfaceOfRevolution<B,
         self.centres.eval(u).add_scaled(self.radii.eval(u), cos).add_scaled(self.quarters.eval(u), sin)
     }
 
-    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P {
+    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P::Vector {
         let [cos, sin] = circle::direction(v);
         let [c, s] = [[cos, sin], [-sin, cos], [-cos, -sin], [sin, -cos]][j % 4];
-        let centre = if j == 0 { self.centres.derivative(u, i) } else { P::zero() };
+        let centre = if j == 0 { self.centres.derivative(u, i) } else { P::Vector::zero() };
         centre.add_scaled(self.radii.derivative(u, i), c).add_scaled(self.quarters.derivative(u, i), s)
     }
 
     partials_by_number!();
 
     #[inline]
-    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P::Vector; K]; K] {
         let centres = self.centres.eval_with_derivs::<K>(u);
         let radii = self.radii.eval_with_derivs::<K>(u);
         let quarters = self.quarters.eval_with_derivs::<K>(u);
@@ -343,7 +340,7 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> Surface for SurfaceOfRevolution<B,
             core::array::from_fn(|j| {
                 // Derivatives of cosine and sine go round.
                 let [c, s] = [[cos, sin], [-sin, cos], [-cos, -sin], [sin, -cos]][j % 4];
-                let centre = if j == 0 { centres[i] } else { P::zero() };
+                let centre = if j == 0 { centres[i] } else { P::Vector::zero() };
                 centre.add_scaled(radii[i], c).add_scaled(quarters[i], s)
             })
         })

@@ -60,10 +60,12 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
 
     /// The patch over a circular arc given by the Bernstein coefficients of `w cos α`, `w sin α` and `w`.
     fn arc(&self, coefficients: [[B::Scalar; 3]; 3]) -> RevolutionPatch<B, P> {
-        let [centres, radii, quarters] = [&self.centres, &self.radii, &self.quarters].map(Curve::to_bezier);
+        let centres = self.centres.to_bezier();
+        let [radii, quarters] = [&self.radii, &self.quarters].map(Curve::to_bezier);
         let (u_basis, v_basis) = (centres.basis(), BernsteinBasis::new());
         let net = <BernsteinOf<B> as Basis>::Points::from_fn(|i| {
-            let [centre, radius, quarter] = [&centres, &radii, &quarters].map(|c| c.control_points()[i]);
+            let centre = centres.control_points()[i];
+            let [radius, quarter] = [&radii, &quarters].map(|c| c.control_points()[i]);
             coefficients.map(|[cos, sin, weight]| {
                 centre.scale(weight).add_scaled(radius, cos).add_scaled(quarter, sin)
             })

@@ -345,29 +345,24 @@ impl<'de, A: Array<T>, T: Copy + Deserialize<'de>, K: Kind> Visitor<'de> for Ele
     }
 }
 
-#[cfg(feature = "alloc")]
+#[cfg(feature = "geometry")]
 mod piecewise {
     use alloc::vec::Vec;
 
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-    use crate::{Basis, Curve, PiecewiseCurve, Point};
+    use crate::{ParametricCurve, PiecewiseCurve};
 
-    impl<B: Basis + Serialize, P: Point<Scalar = B::Scalar> + Serialize> Serialize for PiecewiseCurve<B, P> {
+    impl<C: ParametricCurve + Serialize> Serialize for PiecewiseCurve<C> {
         fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
             self.segments().serialize(serializer)
         }
     }
 
-    impl<'de, B, P> Deserialize<'de> for PiecewiseCurve<B, P>
-    where
-        B: Basis + Deserialize<'de>,
-        P: Point<Scalar = B::Scalar> + Deserialize<'de>,
-    {
+    impl<'de, C: ParametricCurve + Deserialize<'de>> Deserialize<'de> for PiecewiseCurve<C> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let segments = Vec::<Curve<B, P>>::deserialize(deserializer)?;
-            Self::new(segments).map_err(D::Error::custom)
+            Self::new(Vec::deserialize(deserializer)?).map_err(D::Error::custom)
         }
     }
 }

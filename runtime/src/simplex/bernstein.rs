@@ -118,7 +118,7 @@ pub(super) fn elevate<P: Point>(net: &mut [P], from: usize, to: usize) {
             net[position] = match components.iter().position(|&count| count == degree + 1) {
                 Some(corner) => below(corner),
                 None => (0..3).filter(|&place| components[place] > 0).fold(P::zero(), |sum, place| {
-                    sum.add_scaled(below(place), P::Scalar::from_usize(components[place]) * share)
+                    sum.add_weighted(below(place), P::Scalar::from_usize(components[place]) * share)
                 }),
             };
         }

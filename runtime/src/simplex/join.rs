@@ -7,7 +7,7 @@ use super::edge::TriangleEdge;
 use super::index::TriangleIndex;
 use super::{SimplexPatch, TriangularBasis};
 use crate::numeric::linear::solve;
-use crate::vector::largest_component;
+use crate::vector::{difference, largest_component};
 use crate::{Array, JoinError, Point, Scalar};
 
 /// How a triangular patch continues another one across an edge.
@@ -93,7 +93,7 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
             .filter(next_to_the_edge)
             .map(|index| {
                 let row = weights.as_ref()[index.position()];
-                let target = net[index.position()].minus(given.as_ref()[index.position()]);
+                let target = difference(net[index.position()], given.as_ref()[index.position()]);
                 (unknown.iter().map(|&place| row.component(place)).collect(), target)
             })
             .collect();

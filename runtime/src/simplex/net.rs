@@ -21,8 +21,10 @@ pub(crate) fn contract<P: Point>(net: &mut [P], n: usize, a: &[P::Scalar]) {
             for i in 0..n {
                 let next = row + n - i + 1;
                 for j in 0..n - i {
-                    net[out] =
-                        net[row + j].scale(w).add_scaled(net[row + j + 1], v).add_scaled(net[next + j], u);
+                    net[out] = net[row + j]
+                        .scale(w)
+                        .add_weighted(net[row + j + 1], v)
+                        .add_weighted(net[next + j], u);
                     out += 1;
                 }
                 row = next;
@@ -40,9 +42,9 @@ pub(crate) fn contract<P: Point>(net: &mut [P], n: usize, a: &[P::Scalar]) {
                     for j in 0..m - i {
                         let inner = net[row + j]
                             .scale(x)
-                            .add_scaled(net[row + j + 1], w)
-                            .add_scaled(net[next + j], v);
-                        net[out] = inner.add_scaled(net[above], u);
+                            .add_weighted(net[row + j + 1], w)
+                            .add_weighted(net[next + j], v);
+                        net[out] = inner.add_weighted(net[above], u);
                         out += 1;
                         above += 1;
                     }
@@ -149,9 +151,9 @@ pub(crate) fn triangle_point<P: Point>(net: &[P], factors: &[f64], [u, v, w]: [P
         let mut row = net[start].scale(P::Scalar::of(factors[start]));
         for place in start + 1..end {
             power = power * v;
-            row = row.scale(w).add_scaled(net[place], power * P::Scalar::of(factors[place]));
+            row = row.scale(w).add_weighted(net[place], power * P::Scalar::of(factors[place]));
         }
-        sum = row.add_scaled(sum, u);
+        sum = row.add_weighted(sum, u);
         end = start;
     }
     sum

@@ -16,10 +16,10 @@ use super::index::TriangleIndex;
 use super::net::{contract, moved_corner};
 use crate::numeric::binomial::binomial;
 use crate::vector::{cross, direction, dot, largest_component};
-use crate::{Array, Point3, Scalar};
+use crate::{Array, Point, Scalar};
 
 /// The unit normal at a point of the triangle.
-pub(crate) fn normal<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
+pub(crate) fn normal<B: TriangularBasis, P: Point<Scalar = B::Scalar, Vector = P>>(
     net: B::Bernstein<P>,
     degree: usize,
     at: [B::Scalar; 3],
@@ -65,7 +65,7 @@ pub(crate) fn normal<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
 
 /// The net moved to the origin and scaled to the size 1, and a bound of the rounding errors of its differences; `None`
 /// if it is a point, infinite or NaN.
-fn normalized<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
+fn normalized<B: TriangularBasis, P: Point<Scalar = B::Scalar, Vector = P>>(
     net: B::Bernstein<P>,
     degree: usize,
 ) -> Option<(B::Bernstein<P>, B::Scalar)> {
@@ -93,7 +93,7 @@ fn normalized<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
 }
 
 /// The coefficients N[j][k] of the product of the derivatives at a corner.
-struct Product<'a, P: Point3> {
+struct Product<'a, P: Point<Vector = P>> {
     net: &'a [P],
     degree: usize,
     /// A bound of the rounding errors of differences of points.
@@ -102,7 +102,7 @@ struct Product<'a, P: Point3> {
     corners: [usize; 3],
 }
 
-impl<P: Point3> Product<'_, P> {
+impl<P: Point<Vector = P>> Product<'_, P> {
     /// Where the index with these components at the two other corners stands.
     fn point(&self, j: usize, k: usize) -> P {
         let mut components = [0; 3];
@@ -141,7 +141,12 @@ fn multinomial<S: Scalar>(n: usize, p: usize, q: usize) -> S {
 }
 
 /// The limit of the normal at a corner.
-fn corner_limit<P: Point3>(net: &[P], degree: usize, error: P::Scalar, corner: usize) -> Option<P> {
+fn corner_limit<P: Point<Vector = P>>(
+    net: &[P],
+    degree: usize,
+    error: P::Scalar,
+    corner: usize,
+) -> Option<P> {
     let product = Product { net, degree, error, corners: [corner, (corner + 1) % 3, (corner + 2) % 3] };
     let top = 2 * (degree - 1);
     // The lowest power of z for each power of y, as far as it falls.
@@ -170,7 +175,7 @@ fn corner_limit<P: Point3>(net: &[P], degree: usize, error: P::Scalar, corner: u
 
 /// Whether all coefficients on a side of the polygon are multiples of the normal, and the polynomial they make is
 /// positive.
-fn same_direction<P: Point3>(
+fn same_direction<P: Point<Vector = P>>(
     product: &Product<'_, P>,
     normal: P,
     from: (usize, usize),

@@ -7,7 +7,7 @@ use super::index::SimplexIndex;
 use super::net::triangle_point;
 use super::normal;
 use super::{SimplexBasis, TriangularBasis, finish, partial};
-use crate::vector::recast;
+use crate::vector::vectors;
 use crate::{Array, CountError, Curve, Point, Point3, Scalar};
 
 /// A triangular patch `S(u, v, w) = Σ b[i,j,k](u, v, w) P[i,j,k]`, `u + v + w = 1`, over control points `P[i,j,k]` in
@@ -100,18 +100,18 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
 
     /// The derivative of the given order along a direction, a difference of two points in barycentric coordinates; zero
     /// above the degree.
-    pub fn derivative(&self, at: B::Coordinates, along: B::Coordinates, order: usize) -> P {
+    pub fn derivative(&self, at: B::Coordinates, along: B::Coordinates, order: usize) -> P::Vector {
         let mut net = self.net;
         let degree = super::differentiate(net.as_mut(), B::DEGREE, along.as_ref(), order);
-        finish(net.as_mut(), degree, at.as_ref())
+        finish(net.as_mut(), degree, at.as_ref()).to_vector()
     }
 
     /// The partial derivative of these orders in the coordinates but the last, which is 1 minus their sum; zero above the
     /// degree.
-    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P {
+    pub fn partial_at(&self, at: B::Coordinates, orders: B::Orders) -> P::Vector {
         let mut net = self.net;
         let degree = partial::<P, B::Coordinates>(net.as_mut(), B::DEGREE, orders.as_ref());
-        finish(net.as_mut(), degree, at.as_ref())
+        finish(net.as_mut(), degree, at.as_ref()).to_vector()
     }
 
     /// The point with these barycentric coordinates; at the corners of the domain the Bernstein point there, exactly.
@@ -160,21 +160,22 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     }
 
     /// The partial derivative `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` of `S(u, v, 1 - u - v)` of the orders `[i, j]`.
-    pub fn partial(&self, u: B::Scalar, v: B::Scalar, orders: [usize; 2]) -> P {
+    pub fn partial(&self, u: B::Scalar, v: B::Scalar, orders: [usize; 2]) -> P::Vector {
         self.partial_at([u, v, B::Scalar::ONE - u - v], B::Orders::from_fn(|k| orders[k]))
     }
 
     /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` of `S(u, v, 1 - u - v)` for all `i, j < K`; `[0][0]` is
-    /// the point.
-    pub fn eval_with_partials<const K: usize>(&self, u: B::Scalar, v: B::Scalar) -> [[P; K]; K] {
+    /// the vector from the origin to the point.
+    pub fn eval_with_partials<const K: usize>(&self, u: B::Scalar, v: B::Scalar) -> [[P::Vector; K]; K] {
         let at = [u, v, B::Scalar::ONE - u - v];
-        let mut partials = [[P::zero(); K]; K];
+        let mut partials = [[P::Vector::zero(); K]; K];
         let (mut along_u, mut u_degree) = (self.net, B::DEGREE);
         for (i, row) in partials.iter_mut().enumerate() {
             let (mut along_v, mut degree) = (along_u, u_degree);
             for (j, derivative) in row.iter_mut().enumerate().take((B::DEGREE + 1).saturating_sub(i)) {
                 let mut net = along_v;
-                *derivative = if i + j == 0 { self.eval(u, v) } else { finish(net.as_mut(), degree, &at) };
+                let value = if i + j == 0 { self.eval(u, v) } else { finish(net.as_mut(), degree, &at) };
+                *derivative = value.to_vector();
                 if degree > 0 {
                     degree = partial::<P, B::Coordinates>(along_v.as_mut(), degree, &[0, 1]);
                 }
@@ -203,7 +204,7 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         P: Point3,
     {
         let at = [u, v, B::Scalar::ONE - u - v];
-        normal::normal::<B, P>(self.net, B::DEGREE, at).map(recast)
+        normal::normal::<B, P::Vector>(vectors(self.net.as_ref()), B::DEGREE, at)
     }
 
     /// The boundary curve along an edge, from its start to its end, over the interval from 0 to 1.

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::vector::{cross, direction, dot, length, recast};
+use crate::vector::{cross, direction, dot, length};
 use crate::{Point, Point3, Scalar};
 
 /// How a surface bends at a point.
@@ -68,8 +68,7 @@ impl<P: Point3> Curvature<P> {
     }
 
     /// From the partial derivatives `[i][j]`; `None` where the first ones are parallel or anything is not finite.
-    pub(crate) fn new(partials: &[[P; 3]; 3], normal: P::Vector) -> Option<Self> {
-        let partials = partials.map(|row| row.map(recast::<P, P::Vector>));
+    pub(crate) fn new(partials: &[[P::Vector; 3]; 3], normal: P::Vector) -> Option<Self> {
         let (along_u, along_v) = (partials[1][0], partials[0][1]);
         // In the orthonormal frame (e1, e2) of the tangent plane: S_u = (a, 0), S_v = (b, c).
         let e1 = direction(along_u)?;
@@ -96,7 +95,7 @@ impl<P: Point3> Curvature<P> {
             (w12, radius - half_difference)
         };
         let along = direction([x, y]).unwrap_or([P::Scalar::ONE, P::Scalar::ZERO]);
-        let first = e1.scale(along[0]).add_scaled(e2, along[1]);
+        let first = e1.scale(along[0]).add_weighted(e2, along[1]);
         Some(Self { normal, principal, directions: [first, cross(normal, first)] })
     }
 }

@@ -5,7 +5,7 @@ use core::fmt::{self, Debug, Formatter};
 use core::ops::Range;
 
 use super::piece::{Line, PieceKind, arc_angle, arc_place};
-use super::{BoundedSurface, Direction, Edge, ScalarOf, Surface, SurfaceDomain};
+use super::{BoundedSurface, Direction, Edge, ScalarOf, Surface, SurfaceDomain, VectorOf};
 use crate::curve::{divisible, nonempty};
 use crate::domain::from_unit;
 use crate::numeric::binomial::binomial;
@@ -157,7 +157,7 @@ impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
         self.surface.eval(u, v)
     }
 
-    fn derivatives_into(&self, t: ScalarOf<T>, derivatives: &mut [T::Point]) {
+    fn derivatives_into(&self, t: ScalarOf<T>, derivatives: &mut [VectorOf<T>]) {
         let free = self.free(t);
         // The later piece of the surface is the earlier one of a curve that runs backwards, and at the end of a part it
         // does not belong to it.
@@ -182,10 +182,10 @@ impl<T: BoundedSurface + ?Sized> ParametricCurve for Isocurve<'_, T> {
                     Line::Constant(Direction::U, _) => partial([0, order]),
                     Line::Constant(Direction::V, _) => partial([order, 0]),
                     // (∂u - ∂v)^order
-                    Line::Diagonal => (0..=order).fold(T::Point::zero(), |sum, j| {
+                    Line::Diagonal => (0..=order).fold(VectorOf::<T>::zero(), |sum, j| {
                         let factor = binomial::<ScalarOf<T>>(order, j);
                         let sign = if j.is_multiple_of(2) { factor } else { -factor };
-                        sum.add_scaled(partial([order - j, j]), sign)
+                        sum.add_weighted(partial([order - j, j]), sign)
                     }),
                 };
             }

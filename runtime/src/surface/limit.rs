@@ -11,8 +11,8 @@
 //! factor, has one sign for all steps into the domain.
 
 use crate::numeric::binomial::row;
-use crate::vector::{cross, direction, dot, largest_component, recast};
-use crate::{Point, Point3, Scalar, SurfaceDomain};
+use crate::vector::{cross, direction, dot, largest_component};
+use crate::{Point, Scalar, SurfaceDomain};
 
 /// Where a parameter lies in its range, which decides on the steps into the domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,11 +54,11 @@ pub(crate) fn rounding<S: Scalar>(size: S) -> S {
 }
 
 /// The limit of the direction of `S_u × S_v` at a point of the domain, from the partial derivatives there.
-pub(crate) fn limit_normal<P: Point3, const K: usize>(
+pub(crate) fn limit_normal<P: Point<Vector = P>, const K: usize>(
     partials: &[[P; K]; K],
     domain: SurfaceDomain<P::Scalar>,
     at: [P::Scalar; 2],
-) -> Option<P::Vector> {
+) -> Option<P> {
     let orders = K - 1;
     let (turned, sides, known) = match domain {
         SurfaceDomain::Rectangle([u, v]) => (*partials, [Side::of(at[0], u), Side::of(at[1], v)], 2 * K),
@@ -94,13 +94,13 @@ pub(crate) fn limit_normal<P: Point3, const K: usize>(
         heights[a] = dot(normal, vector);
     }
     let sign = sign_on_steps(&heights[..=lowest], [alpha, beta], sides)?;
-    Some(recast(normal.scale(sign)))
+    Some(normal.scale(sign))
 }
 
 /// The partial derivatives of a surface over a triangle in two barycentric coordinates that stand in the order of `u, v, w`
 /// around the triangle, so that the normal stays, the third one not small; with the sides of both. Those of a total order
 /// from `K` on are not known, and left zero.
-fn on_triangle<P: Point3, const K: usize>(
+fn on_triangle<P: Point<Vector = P>, const K: usize>(
     partials: &[[P; K]; K],
     [u, v]: [P::Scalar; 2],
 ) -> ([[P; K]; K], [Side; 2]) {
@@ -131,7 +131,7 @@ fn on_triangle<P: Point3, const K: usize>(
                 }
             }
             for (k, &factor) in powers.iter().enumerate().take(i + j + 1) {
-                *slot = slot.add_scaled(partials[i + j - k][k], factor);
+                *slot = slot.add_weighted(partials[i + j - k][k], factor);
             }
         }
     }
@@ -171,7 +171,7 @@ fn taylor<P: Point, const K: usize>(partials: &[[P; K]; K], widths: [P::Scalar; 
 
 /// The coefficients `N[a][b]`, `a, b <= K - 2`, and which of them are zero up to rounding errors.
 #[allow(clippy::type_complexity)] // two tables of one shape
-fn products<P: Point3, const K: usize>(c: &[[P; K]; K]) -> ([[P; K]; K], [[bool; K]; K]) {
+fn products<P: Point<Vector = P>, const K: usize>(c: &[[P; K]; K]) -> ([[P; K]; K], [[bool; K]; K]) {
     let mut product = [[P::zero(); K]; K];
     let mut zero = [[true; K]; K];
     let error = rounding(P::Scalar::ONE);
@@ -183,7 +183,7 @@ fn products<P: Point3, const K: usize>(c: &[[P; K]; K]) -> ([[P; K]; K], [[bool;
                     let (k, l) = (a - i, b - j);
                     let factor = P::Scalar::from_usize((i + 1) * (l + 1));
                     let (along_u, along_v) = (c[i + 1][j], c[k][l + 1]);
-                    product[a][b] = product[a][b].add_scaled(cross(along_u, along_v), factor);
+                    product[a][b] = product[a][b].add_weighted(cross(along_u, along_v), factor);
                     bound = bound
                         + factor * error * (largest_component(along_u) + largest_component(along_v) + error);
                 }

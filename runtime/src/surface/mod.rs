@@ -39,7 +39,7 @@ pub(crate) use pieces::forward_boxes;
 pub use rational::{RationalPatchOf, RationalSurface};
 pub use tensor::TensorSurface;
 
-use crate::vector::{cross, direction, largest_component, recast, safe_unit};
+use crate::vector::{cross, direction, largest_component, safe_unit};
 use crate::{CurveError, Point, Point3, Scalar};
 use limit::{limit_normal, rounding};
 
@@ -73,30 +73,41 @@ pub trait Surface {
     /// The point `S(u, v)`.
     fn eval(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Self::Point;
 
-    /// The partial derivative `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` of the orders `[i, j]`; the point itself for `[0, 0]`.
-    fn partial(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, orders: [usize; 2]) -> Self::Point;
+    /// The partial derivative `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` of the orders `[i, j]`; for `[0, 0]` the vector from the
+    /// origin to the point.
+    fn partial(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, orders: [usize; 2]) -> VectorOf<Self>;
 
-    /// The partial derivatives `out[i * count + j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < count`; what has
-    /// no partner in `out` is left alone.
-    fn partials_into(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, count: usize, out: &mut [Self::Point]) {
-        if count > 0 {
-            for (n, out) in out.iter_mut().enumerate().take(count.saturating_mul(count)) {
-                *out = self.partial(u, v, [n / count, n % count]);
-            }
+    /// The partial derivatives `out[i * count + j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < count`.
+    ///
+    /// # Errors
+    /// [`CurveError::Length`] if the length of `out` is not `count²`.
+    fn partials_into(
+        &self,
+        u: ScalarOf<Self>,
+        v: ScalarOf<Self>,
+        count: usize,
+        out: &mut [VectorOf<Self>],
+    ) -> Result<(), CurveError> {
+        one_for_each([count, count], out)?;
+        for (n, out) in out.iter_mut().enumerate() {
+            *out = self.partial(u, v, [n / count, n % count]);
         }
+        Ok(())
     }
 
-    /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < K`; `[0][0]` is the point.
+    /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < K`; `[0][0]` is the vector from
+    /// the origin to the point, [`Point::from_vector`].
     fn eval_with_partials<const K: usize>(
         &self,
         u: ScalarOf<Self>,
         v: ScalarOf<Self>,
-    ) -> [[Self::Point; K]; K]
+    ) -> [[VectorOf<Self>; K]; K]
     where
         Self: Sized,
     {
-        let mut partials = [[Self::Point::zero(); K]; K];
-        self.partials_into(u, v, K, partials.as_flattened_mut());
+        let mut partials = [[VectorOf::<Self>::zero(); K]; K];
+        let filled = self.partials_into(u, v, K, partials.as_flattened_mut());
+        debug_assert_eq!(filled, Ok(()), "the slice has K² places");
         partials
     }
 
@@ -115,7 +126,7 @@ pub trait Surface {
         self.eval(u, v)
     }
 
-    /// The points of a grid, `out[i * vs.len() + j] = S(us[i], vs[j])`; what has no partner in `out` is left alone.
+    /// The points of a grid, `out[i * vs.len() + j] = S(us[i], vs[j])`.
     ///
     /// On a [`TensorSurface`] much faster than point by point.
     ///
@@ -125,18 +136,26 @@ pub trait Surface {
     /// let linear = BernsteinBasis::<f64, 2>::new();
     /// let saddle = TensorSurface::new(linear, linear, [[0.0, 1.0], [1.0, 0.0]]);
     /// let mut heights = [0.0; 6];
-    /// saddle.eval_grid(&[0.0, 0.5], &[0.0, 0.25, 1.0], &mut heights);
+    /// saddle.eval_grid(&[0.0, 0.5], &[0.0, 0.25, 1.0], &mut heights)?;
     /// assert_eq!(heights, [0.0, 0.25, 1.0, 0.5, 0.5, 0.5]);
+    /// assert!(saddle.eval_grid(&[0.0, 0.5], &[0.0, 0.25], &mut heights).is_err());
+    /// # Ok::<(), basis_runtime::CurveError>(())
     /// ```
-    fn eval_grid(&self, us: &[ScalarOf<Self>], vs: &[ScalarOf<Self>], out: &mut [Self::Point]) {
-        if vs.is_empty() {
-            return;
+    ///
+    /// # Errors
+    /// [`CurveError::Length`] if the length of `out` is not `us.len() * vs.len()`.
+    fn eval_grid(
+        &self,
+        us: &[ScalarOf<Self>],
+        vs: &[ScalarOf<Self>],
+        out: &mut [Self::Point],
+    ) -> Result<(), CurveError> {
+        one_for_each([us.len(), vs.len()], out)?;
+        let pairs = us.iter().flat_map(|&u| vs.iter().map(move |&v| (u, v)));
+        for (point, (u, v)) in out.iter_mut().zip(pairs) {
+            *point = self.eval(u, v);
         }
-        for (&u, row) in us.iter().zip(out.chunks_mut(vs.len())) {
-            for (&v, point) in vs.iter().zip(row) {
-                *point = self.eval(u, v);
-            }
-        }
+        Ok(())
     }
 
     /// The unit normal at `(u, v)`: the direction of `S_u × S_v`, or where that vanishes, its limit.
@@ -170,11 +189,11 @@ pub trait Surface {
         Self::Point: Point3,
     {
         let domain = self.domain();
-        let mut first = [[Self::Point::zero(); 2]; 2];
-        self.partials_into(u, v, 2, first.as_flattened_mut());
+        let mut first = [[VectorOf::<Self>::zero(); 2]; 2];
+        self.partials_into(u, v, 2, first.as_flattened_mut()).ok()?;
         regular_normal(&first, domain.widths()).or_else(|| {
-            let mut partials = [[Self::Point::zero(); 6]; 6];
-            self.partials_into(u, v, 6, partials.as_flattened_mut());
+            let mut partials = [[VectorOf::<Self>::zero(); 6]; 6];
+            self.partials_into(u, v, 6, partials.as_flattened_mut()).ok()?;
             limit_normal(&partials, domain, [u, v])
         })
     }
@@ -185,8 +204,8 @@ pub trait Surface {
         Self::Point: Point3,
     {
         let widths = self.domain().widths();
-        let mut partials = [[Self::Point::zero(); 3]; 3];
-        self.partials_into(u, v, 3, partials.as_flattened_mut());
+        let mut partials = [[VectorOf::<Self>::zero(); 3]; 3];
+        self.partials_into(u, v, 3, partials.as_flattened_mut()).ok()?;
         let first = [[partials[0][0], partials[0][1]], [partials[1][0], partials[1][1]]];
         Curvature::new(&partials, regular_normal(&first, widths)?)
     }
@@ -207,16 +226,27 @@ macro_rules! surface_behind {
                 (**self).eval(u, v)
             }
 
-            fn partial(&self, u: ScalarOf<T>, v: ScalarOf<T>, orders: [usize; 2]) -> T::Point {
+            fn partial(&self, u: ScalarOf<T>, v: ScalarOf<T>, orders: [usize; 2]) -> VectorOf<T> {
                 (**self).partial(u, v, orders)
             }
 
-            fn partials_into(&self, u: ScalarOf<T>, v: ScalarOf<T>, count: usize, out: &mut [T::Point]) {
-                (**self).partials_into(u, v, count, out);
+            fn partials_into(
+                &self,
+                u: ScalarOf<T>,
+                v: ScalarOf<T>,
+                count: usize,
+                out: &mut [VectorOf<T>],
+            ) -> Result<(), CurveError> {
+                (**self).partials_into(u, v, count, out)
             }
 
-            fn eval_grid(&self, us: &[ScalarOf<T>], vs: &[ScalarOf<T>], out: &mut [T::Point]) {
-                (**self).eval_grid(us, vs, out);
+            fn eval_grid(
+                &self,
+                us: &[ScalarOf<T>],
+                vs: &[ScalarOf<T>],
+                out: &mut [T::Point],
+            ) -> Result<(), CurveError> {
+                (**self).eval_grid(us, vs, out)
             }
 
             fn normal(&self, u: ScalarOf<T>, v: ScalarOf<T>) -> Option<VectorOf<T>>
@@ -247,35 +277,44 @@ surface_behind! {
 macro_rules! partials_by_number {
     () => {
         #[inline]
-        fn partials_into(&self, u: P::Scalar, v: P::Scalar, count: usize, out: &mut [P]) {
-            fn copy<P: Copy>(from: &[P], out: &mut [P]) {
-                for (out, &from) in out.iter_mut().zip(from) {
-                    *out = from;
-                }
-            }
+        fn partials_into(
+            &self,
+            u: P::Scalar,
+            v: P::Scalar,
+            count: usize,
+            out: &mut [P::Vector],
+        ) -> Result<(), $crate::CurveError> {
+            $crate::surface::one_for_each([count, count], out)?;
             match count {
-                2 => copy(self.eval_with_partials::<2>(u, v).as_flattened(), out),
-                3 => copy(self.eval_with_partials::<3>(u, v).as_flattened(), out),
-                6 => copy(self.eval_with_partials::<6>(u, v).as_flattened(), out),
+                2 => out.copy_from_slice(self.eval_with_partials::<2>(u, v).as_flattened()),
+                3 => out.copy_from_slice(self.eval_with_partials::<3>(u, v).as_flattened()),
+                6 => out.copy_from_slice(self.eval_with_partials::<6>(u, v).as_flattened()),
                 _ => {
-                    for (n, out) in out.iter_mut().enumerate().take(count.saturating_mul(count)) {
+                    for (n, out) in out.iter_mut().enumerate() {
                         *out = self.partial(u, v, [n / count, n % count]);
                     }
                 }
             }
+            Ok(())
         }
     };
 }
 pub(crate) use partials_by_number;
 
+/// The error of a slice that has not one place for each pair of a grid.
+pub(crate) fn one_for_each<T>([rows, columns]: [usize; 2], out: &[T]) -> Result<(), CurveError> {
+    let (expected, found) = (rows.saturating_mul(columns), out.len());
+    if expected == found { Ok(()) } else { Err(CurveError::Length { expected, found }) }
+}
+
 /// The scalar type of a surface.
 pub type ScalarOf<T> = <<T as Surface>::Point as Point>::Scalar;
 
-/// The type of the normals of a surface.
+/// The type of the partial derivatives and normals of a surface.
 pub type VectorOf<T> = <<T as Surface>::Point as Point>::Vector;
 
 /// The direction of `S_u × S_v`; `None` where it vanishes up to rounding errors, or is not finite.
-pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P::Vector> {
+pub(crate) fn regular_normal<P: Point>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P> {
     let (mut along_u, mut along_v) = (first[1][0].scale(widths[0]), first[0][1].scale(widths[1]));
     let [mut size, mut u_size, mut v_size] = [first[0][0], along_u, along_v].map(largest_component);
     size = [u_size, v_size].into_iter().fold(size, |a, b| if b > a { b } else { a });
@@ -286,5 +325,5 @@ pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar;
     }
     let product = cross(along_u, along_v);
     let error = rounding(size) * (u_size + v_size);
-    if largest_component(product) > error { direction(recast(product)) } else { None }
+    if largest_component(product) > error { direction(product) } else { None }
 }

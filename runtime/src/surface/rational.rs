@@ -101,7 +101,7 @@ where
             let (numerator, weights) = (&self.numerator.rows()[i], &self.weight.rows()[i]);
             let point = |j: usize| {
                 let weight = weights.control_points()[j];
-                image(numerator.control_points()[j]).add_scaled(origin, weight - P::Scalar::ONE)
+                image(numerator.control_points()[j]).add_weighted(origin, weight - P::Scalar::ONE)
             };
             Curve::new(numerator.basis(), V::Points::from_fn(point))
         };
@@ -172,15 +172,15 @@ where
     }
 
     #[cfg(not(feature = "alloc"))]
-    fn high_partial(&self, _: P::Scalar, _: P::Scalar, _: [usize; 2]) -> P {
-        P::from_components(|_| P::Scalar::NAN)
+    fn high_partial(&self, _: P::Scalar, _: P::Scalar, _: [usize; 2]) -> P::Vector {
+        P::Vector::from_components(|_| P::Scalar::NAN)
     }
 
     /// A partial derivative of any order.
     #[cfg(feature = "alloc")]
-    fn high_partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P {
+    fn high_partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P::Vector {
         let columns = j + 1;
-        let mut partials = alloc::vec![P::zero(); (i + 1) * columns];
+        let mut partials = alloc::vec![P::Vector::zero(); (i + 1) * columns];
         let weights: alloc::vec::Vec<P::Scalar> =
             (0..(i + 1) * columns).map(|n| self.weight.partial(u, v, [n / columns, n % columns])).collect();
         for n in 0..partials.len() {
@@ -191,11 +191,11 @@ where
                     if a + b > 0 {
                         let ways = binomial::<P::Scalar>(r, a) * binomial::<P::Scalar>(c, b);
                         let factor = ways * weights[a * columns + b];
-                        sum = sum.add_scaled(partials[(r - a) * columns + c - b], -factor);
+                        sum = sum.add_weighted(partials[(r - a) * columns + c - b], -factor);
                     }
                 }
             }
-            partials[n] = P::from_components(|c| sum.component(c) / weights[0]);
+            partials[n] = P::Vector::from_components(|c| sum.component(c) / weights[0]);
         }
         partials[i * columns + j]
     }
@@ -227,9 +227,9 @@ where
     }
 
     /// Orders above 7 need the feature `alloc`; without it they are NaN.
-    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P {
+    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P::Vector {
         match i.max(j) {
-            0 => self.eval(u, v),
+            0 => self.eval(u, v).to_vector(),
             1 => self.eval_with_partials::<2>(u, v)[i][j],
             2..4 => self.eval_with_partials::<4>(u, v)[i][j],
             4..8 => self.eval_with_partials::<8>(u, v)[i][j],
@@ -240,7 +240,7 @@ where
     partials_by_number!();
 
     /// By Leibniz' rule for `N = w S`, solved for the highest derivative of `S`.
-    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P::Vector; K]; K] {
         let mut partials = self.numerator.eval_with_partials::<K>(u, v);
         let weights = self.weight.eval_with_partials::<K>(u, v);
         for i in 0..K {
@@ -251,11 +251,11 @@ where
                         if a + b > 0 {
                             let ways = binomial::<P::Scalar>(i, a) * binomial::<P::Scalar>(j, b);
                             let factor = ways * weights[a][b];
-                            sum = sum.add_scaled(partials[i - a][j - b], -factor);
+                            sum = sum.add_weighted(partials[i - a][j - b], -factor);
                         }
                     }
                 }
-                partials[i][j] = P::from_components(|c| sum.component(c) / weights[0][0]);
+                partials[i][j] = P::Vector::from_components(|c| sum.component(c) / weights[0][0]);
             }
         }
         partials

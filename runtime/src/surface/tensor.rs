@@ -2,10 +2,10 @@
 
 use core::fmt::{self, Debug, Formatter};
 
-use super::partials_by_number;
+use super::{one_for_each, partials_by_number};
 use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
-use crate::{Array, Basis, CountError, Curve, Form, Point, Scalar, Surface, SurfaceDomain};
+use crate::{Array, Basis, CountError, Curve, CurveError, Form, Point, Scalar, Surface, SurfaceDomain};
 
 /// The number of parameters in `v` that are evaluated together.
 const TILE: usize = 512;
@@ -141,9 +141,9 @@ where
         combination(self.rows().iter().map(|row| row.eval(v)).zip(weights.as_ref().iter().copied()))
     }
 
-    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P {
+    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P::Vector {
         match orders {
-            [0, 0] => self.eval(u, v),
+            [0, 0] => self.eval(u, v).to_vector(),
             [i, j] => Curve::new(self.u_basis, U::Points::from_fn(|r| self.rows()[r].derivative(v, j)))
                 .derivative(u, i),
         }
@@ -152,13 +152,13 @@ where
     partials_by_number!();
 
     #[inline]
-    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
-        let rows = U::Points::<[P; K]>::from_fn(|i| self.rows()[i].eval_with_derivs(v));
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P::Vector; K]; K] {
+        let rows = U::Points::<[P::Vector; K]>::from_fn(|i| self.rows()[i].eval_with_derivs(v));
         let [_, x] = unit(U::domain(), u);
         let inverse_width = inverse_width(U::domain());
-        let mut partials = [[P::zero(); K]; K];
+        let mut partials = [[P::Vector::zero(); K]; K];
         for j in 0..K {
-            let along = self.u_basis.bind(&U::Points::<P>::from_fn(|i| rows.as_ref()[i][j]));
+            let along = self.u_basis.bind(&U::Points::<P::Vector>::from_fn(|i| rows.as_ref()[i][j]));
             let mut scale = P::Scalar::ONE;
             for (row, derivative) in partials.iter_mut().zip(along.eval_with_derivs::<K>(x)) {
                 row[j] = derivative.scale(scale);
@@ -166,7 +166,7 @@ where
             }
         }
         if K > 0 {
-            partials[0][0] = self.eval(u, v);
+            partials[0][0] = self.eval(u, v).to_vector();
         }
         partials
     }
@@ -174,9 +174,10 @@ where
     /// For each `u` the rows are added up once to the curve `v ↦ S(u, v)`, which is evaluated along `v` with the widest
     /// vector instructions of the processor. Results can differ from [`eval`](Surface::eval) in the last digits;
     /// corners are exact.
-    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
+    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        one_for_each([us.len(), vs.len()], out)?;
         if vs.is_empty() {
-            return;
+            return Ok(());
         }
         let mut ys = [P::Scalar::ZERO; TILE];
         for (tile, vs_here) in vs.chunks(TILE).enumerate() {
@@ -188,11 +189,10 @@ where
                 let weights = self.u_basis.values(u);
                 let terms =
                     self.rows().iter().zip(weights.as_ref()).map(|(row, &weight)| (*row.form(), weight));
-                if let Some(line) = line.get_mut(tile * TILE..) {
-                    V::Form::combination(terms).eval_into(ys, line);
-                }
+                V::Form::combination(terms).eval_into(ys, &mut line[tile * TILE..]);
             }
         }
+        Ok(())
     }
 }
 

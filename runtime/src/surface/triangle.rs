@@ -50,14 +50,14 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> Surface for SimplexPatch<
     }
 
     #[inline]
-    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P {
+    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P::Vector {
         self.partial(u, v, orders)
     }
 
     partials_by_number!();
 
     #[inline]
-    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P::Vector; K]; K] {
         self.eval_with_partials(u, v)
     }
 

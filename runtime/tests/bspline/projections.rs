@@ -103,7 +103,7 @@ proptest! {
         prop_assert!(found.at_least <= found.distance && found.distance - found.at_least < 1e-7);
         let parameters: Vec<f64> = (0..=60).map(|i| f64::from(i) / 60.0).collect();
         let mut samples = vec![[0.0; 3]; 61 * 61];
-        surface.eval_grid(&parameters, &parameters, &mut samples);
+        surface.eval_grid(&parameters, &parameters, &mut samples).unwrap();
         for sample in samples {
             prop_assert!(distance(sample, point) >= found.at_least, "{} {:?}", distance(sample, point), found);
             prop_assert!(distance(sample, point) >= found.distance - 1e-8);

@@ -1,7 +1,7 @@
 //! Numbers of any kind: an answer or an error, never a panic, and soon.
 
 use basis_runtime::bspline::{KnotVector, Net};
-use basis_runtime::{BernsteinBasis, Fit, FitEnd, GridFit};
+use basis_runtime::{BernsteinBasis, Fit, FitEnd, GridEnd, GridFit};
 
 use crate::random::Random;
 use crate::{QuarticBernstein, Weighted};
@@ -63,6 +63,18 @@ fn any_numbers() {
             data.get(i + j).copied().unwrap_or([1.0; 2])
         }) {
             answers += usize::from(GridFit::new(&net).spline_within([1, 2], tolerance).is_ok());
+            let end = |k: usize| match k % 4 {
+                0 => GridEnd::Free,
+                1 => GridEnd::Interpolated,
+                2 => GridEnd::Tangent(data.get(k).copied().unwrap_or([1.0, 0.0])),
+                _ => GridEnd::Tangents(&data),
+            };
+            let ends = [(); 2].map(|()| [(); 2].map(|()| end(random.below(16))));
+            let fit = GridFit::new(&net).ends(ends);
+            let lambda = |[l]: [f64; 1]| QuarticBernstein::new(l);
+            answers += usize::from(fit.spline_within([2, 3], tolerance).is_ok());
+            answers +=
+                usize::from(fit.surface_over(([[-3.0, 1.0]], [[-1.0, tolerance]]), (lambda, lambda)).is_ok());
         }
     }
     assert!(answers > 1000, "{answers}");

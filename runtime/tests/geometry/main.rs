@@ -7,6 +7,8 @@ mod continued;
 mod degenerate;
 mod hostile;
 mod intersections;
+#[cfg(feature = "angles")]
+mod mixed;
 mod piercings;
 mod queries;
 #[allow(dead_code)] // shared with other tests

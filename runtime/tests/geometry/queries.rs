@@ -27,7 +27,11 @@ impl<C: ParametricCurve> ParametricCurve for Plain<C> {
         self.0.eval(t)
     }
 
-    fn derivatives_into(&self, t: <C::Point as Point>::Scalar, derivatives: &mut [C::Point]) {
+    fn derivatives_into(
+        &self,
+        t: <C::Point as Point>::Scalar,
+        derivatives: &mut [<C::Point as Point>::Vector],
+    ) {
         self.0.derivatives_into(t, derivatives);
     }
 
@@ -88,7 +92,7 @@ pub fn circle() -> NurbsCurve<P2> {
 }
 
 /// All questions of length, extent and distance, against many samples.
-fn against_samples<const D: usize>(curve: &impl ParametricCurve<Point = [f64; D]>, random: &mut Random) {
+pub fn against_samples<const D: usize>(curve: &impl ParametricCurve<Point = [f64; D]>, random: &mut Random) {
     const COUNT: usize = 20_001;
     let [lo, hi] = curve.domain();
     let at = |i: usize| lo + (hi - lo) * i as f64 / (COUNT - 1) as f64;

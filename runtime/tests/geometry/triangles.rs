@@ -41,7 +41,7 @@ impl<T: Surface> Surface for Own<T> {
         u: basis_runtime::ScalarOf<T>,
         v: basis_runtime::ScalarOf<T>,
         orders: [usize; 2],
-    ) -> T::Point {
+    ) -> basis_runtime::VectorOf<T> {
         self.0.partial(u, v, orders)
     }
 }

@@ -2,9 +2,9 @@
 
 use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, NurbsSurface};
 use basis_runtime::{
-    BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, Isocurve, ParametricCurve, Path,
-    PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution, TensorSurface,
-    Tessellation, TriangularBezier,
+    AnyCurve, BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, Isocurve, ParametricCurve,
+    Path, PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution,
+    TensorSurface, Tessellation, TriangularBezier,
 };
 
 #[cfg(feature = "macros")]
@@ -171,6 +171,7 @@ fn of_curves() {
     let surface = plane_patch();
     let isocurve = Isocurve::new(&surface, Direction::U, 0.5);
     // Types without a column answer all as well.
+    let _ = ask_curve!(AnyCurve::new(space), AnyCurve::new(plane));
     let _ = (ask_curve!(&path, &flat), ask_curve!(&rational, &rational_plane));
     #[cfg(feature = "macros")]
     {
@@ -186,6 +187,11 @@ fn of_curves() {
     let _ = ask_curve!(&isocurve, &flat, samples(3); eval_with_derivs::<3>(0.3); split(0.3); reversed(););
     let asked = [
         ("`Curve`", ask_curve!(space, plane)),
+        ("`AnyCurve`", {
+            let of = |curve| PiecewiseCurve::new(vec![curve, AnyCurve::new(arch(|p| p))]).unwrap();
+            let flat = PiecewiseCurve::from(AnyCurve::new(plane));
+            ask_curve!(of(AnyCurve::new(splines.0.clone())), flat)
+        }),
         ("`PiecewiseCurve`", ask_curve!(PiecewiseCurve::from(space), PiecewiseCurve::from(plane))),
         ("`BSplineCurve`", ask_curve!(&splines.0, &splines.1)),
         ("`NurbsCurve`", ask_curve!(&nurbs.0, &nurbs.1)),

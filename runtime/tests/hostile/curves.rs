@@ -177,7 +177,7 @@ const CURVE: &[Case<Quartic>] = &[
     }),
 ];
 
-type Piecewise = PiecewiseCurve<QuarticBernstein, P>;
+type Piecewise = PiecewiseCurve<Curve<QuarticBernstein, P>>;
 
 const PIECEWISE: &[Case<Piecewise>] = &[
     ("new", |_, _, _| Piecewise::new(Vec::new()).is_err()),

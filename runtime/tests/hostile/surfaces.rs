@@ -42,10 +42,9 @@ pub(crate) fn areas_and_edges<S: BoundedSurface<Point = P>>(make: impl Fn(fn(usi
 /// What every surface answers.
 pub(crate) fn any<S: Surface<Point = P> + BoundedSurface>(s: &S, a: f64, b: f64) -> bool {
     let mut grid = [[0.0; 3]; 5];
-    s.eval_grid(&[a, b], &[b, a], &mut grid);
-    s.eval_grid(&[a], &[], &mut grid);
-    s.eval_grid(&[], &[a], &mut grid);
-    s.eval_grid(&[a, b, 0.0, 1.0], &[a, b], &mut grid[..3]);
+    assert!(s.eval_grid(&[a, b], &[b, a], &mut grid[..4]).is_ok());
+    assert!(s.eval_grid(&[a], &[], &mut []).is_ok() && s.eval_grid(&[], &[a], &mut grid).is_err());
+    assert!(s.eval_grid(&[a, b, 0.0, 1.0], &[a, b], &mut grid[..3]).is_err());
     let _ =
         (s.eval_with_partials::<0>(a, b), s.eval_with_partials::<1>(a, b), s.eval_with_partials::<4>(a, b));
     let _ = (s.partial(a, b, [0, 0]), s.partial(a, b, [1, 2]), s.partial(a, b, [9, 0]));

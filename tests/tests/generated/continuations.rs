@@ -35,15 +35,15 @@ fn derivatives_are_met<B: Shipped>(rounds: usize, met: &mut usize) {
                 let weights = basis.derivatives(B::domain()[usize::from(at_end)], k);
                 let largest = weights.as_ref().iter().map(|w| w.to_f64().abs()).fold(1.0, f64::max);
                 let found = curve.iter().zip(weights.as_ref());
-                let found = found.fold([B::Scalar::ZERO; 2], |sum, (&p, &w)| sum.add_scaled(p, w));
-                let error = size(&[found.add_scaled(*wanted, -B::Scalar::ONE)]);
+                let found = found.fold([B::Scalar::ZERO; 2], |sum, (&p, &w)| sum.add_weighted(p, w));
+                let error = size(&[found.add_weighted(*wanted, -B::Scalar::ONE)]);
                 assert!(error <= 1e3 * epsilon::<B::Scalar>() * scale * largest, "{basis:?} {k}: {error:e}");
             }
             // Elimination replaces the outermost points; a formula may replace others where those do not matter.
             if let Ok(eliminated) = end_points(&basis, wanted, free, at_end) {
                 scale = scale.max(size(eliminated.as_ref()));
                 for (&a, &b) in curve.iter().zip(eliminated.as_ref()) {
-                    let error = size(&[a.add_scaled(b, -B::Scalar::ONE)]);
+                    let error = size(&[a.add_weighted(b, -B::Scalar::ONE)]);
                     assert!(error <= 1e6 * epsilon::<B::Scalar>() * scale, "{basis:?}: {error:e}");
                 }
             }
@@ -122,6 +122,6 @@ fn methods_of_types() {
 }
 
 fn size_of_difference(a: &[[f64; 2]], b: [[f64; 2]; 4]) -> f64 {
-    let differences: Vec<[f64; 2]> = a.iter().zip(b).map(|(a, b)| a.add_scaled(b, -1.0)).collect();
+    let differences: Vec<[f64; 2]> = a.iter().zip(b).map(|(a, b)| a.add_weighted(b, -1.0)).collect();
     size(&differences)
 }

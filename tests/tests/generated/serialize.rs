@@ -58,8 +58,11 @@ fn curves_of_several_segments() {
     let draft = PiecewiseCurve::from(Curve::new(QuarticBernstein::new(-1.0).unwrap(), POINTS));
     curve.append(&curve.continued(Contact::Tangent { f: 0.75 }, &draft).unwrap());
     let text = serde_json::to_string(&curve).unwrap();
-    assert_eq!(serde_json::from_str::<PiecewiseCurve<QuarticBernstein, [f64; 2]>>(&text).unwrap(), curve);
-    assert!(serde_json::from_str::<PiecewiseCurve<QuarticBernstein, [f64; 2]>>("[]").is_err());
+    assert_eq!(
+        serde_json::from_str::<PiecewiseCurve<Curve<QuarticBernstein, [f64; 2]>>>(&text).unwrap(),
+        curve
+    );
+    assert!(serde_json::from_str::<PiecewiseCurve<Curve<QuarticBernstein, [f64; 2]>>>("[]").is_err());
     let contact = Contact::Curvature { f: 0.75, c: 0.5 };
     let text = serde_json::to_string(&contact).unwrap();
     assert_eq!(serde_json::from_str::<Contact<f64>>(&text).unwrap(), contact);
@@ -76,7 +79,7 @@ fn everything_can_be_shared_between_threads() {
     fn shared<T: Send + Sync + 'static>() {}
     shared::<QuarticBernstein>();
     shared::<Curve<QuarticBernstein<f32>, glam::Vec3>>();
-    shared::<PiecewiseCurve<Bernstein, [f64; 2]>>();
+    shared::<PiecewiseCurve<Curve<Bernstein, [f64; 2]>>>();
     shared::<basis_runtime::CurveError>();
     shared::<basis_runtime::Frame<[f64; 3]>>();
 }

@@ -31,7 +31,7 @@ impl<P: Point> BSplineSurface<P> {
     /// None is expected but for memory.
     pub fn extruded(curve: &BSplineCurve<P>, along: P::Vector) -> Result<Self, ConstructionError> {
         let along = recast(along);
-        let rows = curve.control_points().iter().map(|&p| [p, p.add_scaled(along, P::Scalar::ONE)]);
+        let rows = curve.control_points().iter().map(|&p| [p, p.add_weighted(along, P::Scalar::ONE)]);
         Ok(Self::new(curve.knots().clone(), KnotVector::uniform(1, 1)?, Net::from_rows(rows)?)?)
     }
 
@@ -140,7 +140,7 @@ impl<P: Point> BSplineSurface<P> {
         let half = P::Scalar::of(0.5);
         let corner = |i: usize, j: usize| {
             let (a, b) = corners[i][j];
-            a.scale(half).add_scaled(b, half)
+            a.scale(half).add_weighted(b, half)
         };
         let bilinear = Self::new(line.clone(), line, Net::from_fn(2, 2, corner)?)?;
         let [first, _] = across_v.merged(&across_u)?;
@@ -148,7 +148,7 @@ impl<P: Point> BSplineSurface<P> {
         let [second, _] = across_u.merged(&first)?;
         let points = first.net().as_slice().iter().zip(second.net().as_slice()).zip(third.net().as_slice());
         let points =
-            points.map(|((&a, &b), &c)| a.add_scaled(b, P::Scalar::ONE).add_scaled(c, -P::Scalar::ONE));
+            points.map(|((&a, &b), &c)| a.add_weighted(b, P::Scalar::ONE).add_weighted(c, -P::Scalar::ONE));
         let net = Net::trusted(points.collect(), first.net().columns());
         let [u, v] = [Direction::U, Direction::V].map(|direction| first.knots(direction).clone());
         Ok(Self::new(u, v, net)?)
@@ -198,8 +198,8 @@ fn sweep<P: Point3, C, T>(
 /// The point with these coordinates in a frame.
 fn placed<P: Point3>(frame: &Frame<P>, p: P) -> P {
     let [normal, binormal, tangent] = [frame.normal, frame.binormal, frame.tangent].map(recast::<_, P>);
-    let along_normal = frame.point.add_scaled(normal, p.component(0));
-    along_normal.add_scaled(binormal, p.component(1)).add_scaled(tangent, p.component(2))
+    let along_normal = frame.point.add_weighted(normal, p.component(0));
+    along_normal.add_weighted(binormal, p.component(1)).add_weighted(tangent, p.component(2))
 }
 
 /// The control points of curves over one knot vector, those of a curve as a column.

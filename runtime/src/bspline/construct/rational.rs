@@ -23,7 +23,7 @@ impl<P: Point> NurbsSurface<P> {
     pub fn extruded(curve: &NurbsCurve<P>, along: P::Vector) -> Result<Self, ConstructionError> {
         let along = recast(along);
         let rows = curve.homogeneous().control_points().iter().map(|&p| {
-            let scaled = p.scaled.add_scaled(along, p.weight);
+            let scaled = p.scaled.add_weighted(along, p.weight);
             [p, Homogeneous { scaled, weight: p.weight }]
         });
         let line = KnotVector::uniform(1, 1)?;
@@ -50,8 +50,8 @@ impl<P: Point> NurbsSurface<P> {
         let start = path.start();
         let rows = curve.homogeneous().control_points().iter().map(|p| {
             let moved = |t: &Homogeneous<P>| {
-                let along = t.scaled.add_scaled(start, -t.weight);
-                let scaled = p.scaled.scale(t.weight).add_scaled(along, p.weight);
+                let along = t.scaled.add_weighted(start, -t.weight);
+                let scaled = p.scaled.scale(t.weight).add_weighted(along, p.weight);
                 Homogeneous { scaled, weight: p.weight * t.weight }
             };
             path.homogeneous().control_points().iter().map(moved).collect::<Vec<_>>()

@@ -26,11 +26,11 @@ pub enum FitError {
         /// The number of points.
         points: usize,
     },
-    /// There are not as many parameters, or weights, as points.
+    /// There are not as many parameters, weights or directions at an edge as points.
     Count {
         /// The number of points.
         expected: usize,
-        /// The number of parameters or weights.
+        /// The number of parameters, weights or directions.
         found: usize,
     },
     /// A point, parameter or weight is NaN or infinite.
@@ -68,7 +68,8 @@ pub enum FitError {
     },
     /// The domain is not bounded, so that parameters must be given.
     Domain,
-    /// No curve over these functions has the ends that were asked for, or only one that arrives in the opposite direction.
+    /// No curve or surface over these functions has the ends that were asked for, or only one that arrives in the opposite
+    /// direction.
     Ends,
     /// The direction at an end is zero, infinite or NaN.
     Tangent {
@@ -113,7 +114,7 @@ impl Display for FitError {
                 "{points} points; a curve over these knots passes through {functions}, one for each basis function"
             ),
             Self::Count { expected, found } => {
-                write!(f, "{found} parameters or weights for {expected} points; each point has one")
+                write!(f, "{found} parameters, weights or directions for {expected} points; each point has one")
             }
             Self::NotFinite { index } => {
                 write!(f, "point {index}, its parameter or its weight is not a finite number")
@@ -135,7 +136,8 @@ impl Display for FitError {
             }
             Self::Domain => f.write_str("the domain is not bounded; give the parameters of the points"),
             Self::Ends => f.write_str(
-                "no curve over these functions has the ends that were asked for; use more functions or freer ends",
+                "no curve or surface over these functions has the ends that were asked for; use more functions or freer \
+                 ends",
             ),
             Self::Tangent { end } => write!(
                 f,

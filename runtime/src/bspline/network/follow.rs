@@ -236,7 +236,7 @@ fn adjust<P: Point3>(
                             }
                             None => overlaps.push(Overlap { patch: follower, seams, mismatch, angle }),
                         }
-                        (change.add_scaled(other, 1.0).scale(0.5), before)
+                        (change.add_weighted(other, 1.0).scale(0.5), before)
                     }
                 });
             }

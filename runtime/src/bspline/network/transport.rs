@@ -72,7 +72,7 @@ impl Leader {
             },
             None,
         )?;
-        let inner = edge.iter().zip(&across).map(|(a, b)| a.add_scaled(*b, 1.0)).collect();
+        let inner = edge.iter().zip(&across).map(|(a, b)| a.add_weighted(*b, 1.0)).collect();
         let mut rows = [edge, inner];
         let largest = rows.iter().flatten().map(|&p| length(p)).fold(0.0, f64::max);
         for point in rows.iter_mut().flatten() {

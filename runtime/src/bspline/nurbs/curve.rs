@@ -123,9 +123,9 @@ impl<P: Point> NurbsCurve<P> {
     ///
     /// With the numerator `A` and the denominator `w`, from Leibniz' rule for `A = w C`:
     /// `C⁽ᵏ⁾ = (A⁽ᵏ⁾ - Σ (k over i) w⁽ⁱ⁾ C⁽ᵏ⁻ⁱ⁾) / w`, the sum over `i = 1, …, k`.
-    pub fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+    pub fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P::Vector; K] {
         let parts = self.homogeneous.eval_with_derivs::<K>(t);
-        let mut derivatives = [P::zero(); K];
+        let mut derivatives = [P::Vector::zero(); K];
         quotients(&parts, &mut derivatives);
         derivatives
     }
@@ -203,7 +203,7 @@ fn quotients<P: Point>(parts: &[Homogeneous<P>], derivatives: &mut [P]) {
         let mut numerator = parts[order].scaled;
         for i in 1..=order {
             let factor = binomial::<P::Scalar>(order, i) * parts[i].weight;
-            numerator = numerator.add_scaled(derivatives[order - i], -factor);
+            numerator = numerator.add_weighted(derivatives[order - i], -factor);
         }
         derivatives[order] = Homogeneous { scaled: numerator, weight: parts[0].weight }.project();
     }
@@ -223,14 +223,14 @@ impl<P: Point> ParametricCurve for NurbsCurve<P> {
         self.eval(t)
     }
 
-    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P::Vector]) {
         let mut parts = alloc::vec![Homogeneous::zero(); derivatives.len()];
         self.homogeneous.derivatives_into(t, &mut parts);
         quotients(&parts, derivatives);
     }
 
     #[inline]
-    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P::Vector; K] {
         self.eval_with_derivs(t)
     }
 
@@ -295,7 +295,7 @@ pub(super) fn within<P: Point>(
     };
     move |before, after| {
         let change = after.weight - before.weight;
-        let moved = after.scaled.minus(before.scaled).add_scaled(before.project(), -change);
+        let moved = after.scaled.minus(before.scaled).add_scaled(before.project().to_vector(), -change);
         length(moved) + (diagonal + tolerance) * change.abs() <= tolerance * smallest
     }
 }

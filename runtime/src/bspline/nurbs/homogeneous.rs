@@ -62,15 +62,25 @@ impl<P: Point> Point for Homogeneous<P> {
     }
 
     #[inline]
-    fn minus(self, point: Self) -> Self {
-        Self { scaled: self.scaled.minus(point.scaled), weight: self.weight - point.weight }
+    fn to_vector(self) -> Self::Vector {
+        Homogeneous { scaled: self.scaled.to_vector(), weight: self.weight }
     }
 
     #[inline]
-    fn add_scaled(self, point: Self, factor: P::Scalar) -> Self {
+    fn from_vector(vector: Self::Vector) -> Self {
+        Self { scaled: P::from_vector(vector.scaled), weight: vector.weight }
+    }
+
+    #[inline]
+    fn minus(self, point: Self) -> Self::Vector {
+        Homogeneous { scaled: self.scaled.minus(point.scaled), weight: self.weight - point.weight }
+    }
+
+    #[inline]
+    fn add_weighted(self, point: Self, factor: P::Scalar) -> Self {
         Self {
-            scaled: self.scaled.add_scaled(point.scaled, factor),
-            weight: self.weight.add_scaled(point.weight, factor),
+            scaled: self.scaled.add_weighted(point.scaled, factor),
+            weight: self.weight.add_weighted(point.weight, factor),
         }
     }
 }

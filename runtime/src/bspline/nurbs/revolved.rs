@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use crate::bspline::{BSplineSurface, Homogeneous, KnotVector, Net, NurbsCurve, NurbsSurface, SplineError};
 use crate::revolution::Arcs;
-use crate::vector::{cross, direction, dot, recast};
-use crate::{Basis, Point3, Scalar, SurfaceOfRevolution};
+use crate::vector::{cross, direction, dot};
+use crate::{Basis, Point, Point3, Scalar, SurfaceOfRevolution};
 
 impl<P: Point3> NurbsSurface<P> {
     /// The surface that a curve sweeps when it turns about an axis: exactly, for any angle.
@@ -29,7 +29,7 @@ impl<P: Point3> NurbsSurface<P> {
         if !(angle > zero && angle <= turn) {
             return Err(SplineError::Angle { angle: angle.to_f64() });
         }
-        let axis = direction(recast::<_, P>(axis)).ok_or(SplineError::Axis)?;
+        let axis = direction(axis).ok_or(SplineError::Axis)?;
         let arcs = Arcs::new(angle);
         let rows = (0..=2 * arcs.count()).map(|halves| {
             let [cos, sin, weight] = arcs.control_point(halves);

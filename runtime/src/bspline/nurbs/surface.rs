@@ -13,7 +13,7 @@ use crate::bspline::{
 use crate::numeric::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::surface::partials_by_number;
+use crate::surface::{one_for_each, partials_by_number};
 use crate::{BoundedSurface, CurveError, Point, Scalar, Surface, SurfaceDomain, SurfacePiece};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
@@ -222,18 +222,19 @@ impl<P: Point> Surface for NurbsSurface<P> {
     }
 
     /// Leibniz' rule for the numerator `A = w S`, solved for the derivative of the highest order.
-    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P {
+    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P::Vector {
         let columns = j + 1;
         let part = |n: usize| self.homogeneous.partial(u, v, [n / columns, n % columns]);
-        let parts: Vec<Homogeneous<P>> = (0..(i + 1) * columns).map(part).collect();
-        let mut partials = alloc::vec![P::zero(); parts.len()];
+        let parts: Vec<Homogeneous<P::Vector>> = (0..(i + 1) * columns).map(part).collect();
+        let mut partials = alloc::vec![P::Vector::zero(); parts.len()];
         quotients(&parts, columns, &mut partials);
         partials[i * columns + j]
     }
 
-    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
+    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        one_for_each([us.len(), vs.len()], out)?;
         if vs.is_empty() {
-            return;
+            return Ok(());
         }
         let [u, v] = [Direction::U, Direction::V].map(|direction| self.knots(direction));
         let mut lines = Lines::new([u, v], self.homogeneous.net(), us, vs);
@@ -244,13 +245,14 @@ impl<P: Point> Surface for NurbsSurface<P> {
                 *out = point.project();
             }
         }
+        Ok(())
     }
 
     partials_by_number!();
 
-    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P::Vector; K]; K] {
         let parts = self.homogeneous.eval_with_partials::<K>(u, v);
-        let mut partials = [[P::zero(); K]; K];
+        let mut partials = [[P::Vector::zero(); K]; K];
         quotients(parts.as_flattened(), K, partials.as_flattened_mut());
         partials
     }
@@ -267,7 +269,7 @@ fn quotients<P: Point>(parts: &[Homogeneous<P>], columns: usize, partials: &mut 
                 if i + j > 0 {
                     let ways = binomial::<P::Scalar>(r, i) * binomial::<P::Scalar>(c, j);
                     let factor = ways * parts[i * columns + j].weight;
-                    numerator = numerator.add_scaled(partials[(r - i) * columns + c - j], -factor);
+                    numerator = numerator.add_weighted(partials[(r - i) * columns + c - j], -factor);
                 }
             }
         }

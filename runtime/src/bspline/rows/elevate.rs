@@ -90,6 +90,6 @@ fn connected<P: Point>(rows: &Rows<P::Scalar, P>) -> Result<Rows<P::Scalar, P>, 
             }
         }
     }
-    let points = means.iter().map(|(first, sum)| first.add_scaled(*sum, share)).collect();
+    let points = means.iter().map(|(first, sum)| first.add_weighted(*sum, share)).collect();
     Ok(Rows { knots, points, lanes })
 }

@@ -322,7 +322,7 @@ fn bezier(knots: &KnotVector<f64>, span: usize, mut c: Vec<Vector>, [lo, hi]: [f
     let k = c.len() - 1;
     let a = |j: usize| knots.as_slice()[span + j - k];
     let mean = |p: Vector, q: Vector, weights: [f64; 2], whole: f64| {
-        p.scale(weights[0] / whole).add_scaled(q, weights[1] / whole)
+        p.scale(weights[0] / whole).add_weighted(q, weights[1] / whole)
     };
     for r in 1..=k {
         for i in (r..=k).rev() {

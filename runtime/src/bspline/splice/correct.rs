@@ -38,7 +38,7 @@ pub(super) fn correction(strip: &Strip, target: &Strip, t: f64) -> Result<Vector
     let wanted = out.minus(change);
     let forward = dot(wanted, d);
     if forward < least {
-        change = change.add_scaled(d, forward - least);
+        change = change.add_weighted(d, forward - least);
     }
     Ok(change)
 }
@@ -47,6 +47,6 @@ pub(super) fn correction(strip: &Strip, target: &Strip, t: f64) -> Result<Vector
 fn plane(frame: &Frame) -> Option<(Vector, Vector)> {
     let n = normal(frame.across, frame.tangent)?;
     let tangent = direction(frame.tangent)?;
-    let d = direction(frame.across.add_scaled(tangent, -dot(frame.across, tangent)))?;
+    let d = direction(frame.across.add_weighted(tangent, -dot(frame.across, tangent)))?;
     Some((n, d))
 }

@@ -15,7 +15,7 @@ pub(super) fn edge(strip: &mut Strip, target: &Strip) -> Result<Vec<Vector>, Spl
     let slopes = strip.knots.domain().map(|t| target.at(t).tangent.minus(strip.at(t).tangent));
     let change = fit(&strip.knots, |t| Ok(target.at(t).point.minus(strip.at(t).point)), Some(slopes))?;
     for (point, change) in strip.edge.iter_mut().zip(&change) {
-        *point = point.add_scaled(*change, 1.0);
+        *point = point.add_weighted(*change, 1.0);
     }
     Ok(change)
 }
@@ -24,7 +24,7 @@ pub(super) fn edge(strip: &mut Strip, target: &Strip) -> Result<Vec<Vector>, Spl
 pub(super) fn inner(strip: &mut Strip, target: &Strip) -> Result<(), SpliceError> {
     let change = fit(&strip.knots, |t| correction(strip, target, t), None)?;
     for (point, change) in strip.inner.iter_mut().zip(&change) {
-        *point = point.add_scaled(*change, 1.0);
+        *point = point.add_weighted(*change, 1.0);
     }
     Ok(())
 }
@@ -49,8 +49,8 @@ pub(in crate::bspline) fn fit(
         && n > 4
     {
         // C' = k (P[1] - P[0]) / (t[k+1] - t[1]) at the start.
-        points[1] = points[0].add_scaled(start, (all[k + 1] - lo) / k as f64);
-        points[n - 2] = points[n - 1].add_scaled(end, (all[n - 1] - hi) / k as f64);
+        points[1] = points[0].add_weighted(start, (all[k + 1] - lo) / k as f64);
+        points[n - 2] = points[n - 1].add_weighted(end, (all[n - 1] - hi) / k as f64);
         held = 2;
     }
     let samples = (k + 2).max(6);
@@ -65,7 +65,7 @@ pub(in crate::bspline) fn fit(
             for (j, &value) in values.iter().enumerate() {
                 let index = first + j;
                 if index < held || index >= n - held {
-                    right = right.add_scaled(points[index], -value);
+                    right = right.add_weighted(points[index], -value);
                 } else {
                     factors.push(value);
                 }

@@ -132,7 +132,7 @@ pub(super) fn inner(strip: &mut Strip, target: &Strip) -> Result<(), SpliceError
 fn add(row: &mut [Vector], change: &DMatrix<f64>) -> Vec<Vector> {
     let changes = change.row_iter().map(|row| [row[0], row[1], row[2]]).collect::<Vec<Vector>>();
     for (point, change) in row.iter_mut().zip(&changes) {
-        *point = point.add_scaled(*change, 1.0);
+        *point = point.add_weighted(*change, 1.0);
     }
     changes
 }

@@ -360,7 +360,7 @@ fn solve(strip: &mut Strip, target: &Strip, options: &SpliceOptions) -> Result<f
     };
     if options.second_row == SecondRow::Carried {
         for (point, change) in strip.inner.iter_mut().zip(&change) {
-            *point = point.add_scaled(*change, 1.0);
+            *point = point.add_weighted(*change, 1.0);
         }
     }
     if options.continuity == Continuity::G1 {

@@ -176,8 +176,8 @@ impl Strip {
         let slopes = self.knots.derivatives_on(span, t, 1);
         for (j, (&value, &slope)) in values.iter().zip(slopes.iter()).enumerate() {
             let (edge, inner) = (self.edge[first + j], self.inner[first + j]);
-            frame.point = frame.point.add_scaled(edge, value);
-            frame.tangent = frame.tangent.add_scaled(edge, slope);
+            frame.point = frame.point.add_weighted(edge, value);
+            frame.tangent = frame.tangent.add_weighted(edge, slope);
             frame.across = frame.across.add_scaled(inner.minus(edge), value);
         }
         frame

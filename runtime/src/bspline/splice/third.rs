@@ -45,7 +45,7 @@ impl Across {
     fn third(self, [p0, p1]: [Vector; 2], second: Vector) -> Vector {
         let [h1, h2] = self.widths;
         let step = p1.minus(p0).scale(1.0 / h1);
-        p1.add_scaled(step.add_scaled(second, h1 / (self.degree * (self.degree - 1.0))), h2)
+        p1.add_weighted(step.add_weighted(second, h1 / (self.degree * (self.degree - 1.0))), h2)
     }
 }
 

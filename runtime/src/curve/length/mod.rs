@@ -28,7 +28,7 @@ pub(crate) use self::quadrature::Rule;
 pub(crate) use self::series::ELLIPSES;
 use self::series::Rules;
 use crate::domain::from_unit;
-use crate::vector::{distance, is_finite, safe_unit};
+use crate::vector::{difference, distance, is_finite, safe_unit};
 use crate::{Array, Basis, Curve, Point, Scalar, bernstein};
 
 /// Below this depth a piece is narrower than the distance of two floats.
@@ -173,7 +173,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         // The start becomes the origin, so that no digits are lost far from it, and nothing overflows.
         let start = points.as_ref()[0];
         for p in points.as_mut() {
-            *p = p.minus(start);
+            *p = difference(*p, start);
             if unit != B::Scalar::ONE {
                 *p = P::from_components(|d| p.component(d) / unit);
             }

@@ -57,7 +57,7 @@ pub(crate) fn of_line<P: Point3>(
     let accuracy = accuracy.to_f64();
     let line = line_pieces(&pieces, origin, along, [from, f64::INFINITY], accuracy)?;
     let found = piercings(&line, &pieces, accuracy, P::Scalar::EPSILON.to_f64())?;
-    Some(with_points(&P::Scalar::of, &|t| start.add_scaled(direction, t), surface, found))
+    Some(with_points(&P::Scalar::of, &|t| start.add_weighted(direction, t), surface, found))
 }
 
 fn with_points<P: Point3>(

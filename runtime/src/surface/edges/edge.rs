@@ -3,7 +3,7 @@
 use crate::Surface;
 use crate::surface::limit::rounding;
 use crate::surface::{ScalarOf, VectorOf};
-use crate::vector::{cross, direction, distance, dot, largest_component, length, recast};
+use crate::vector::{cross, direction, distance, dot, largest_component, length};
 use crate::{Curvature, Point, Point3, Scalar, SurfaceDomain};
 
 /// One of the two parameter directions of a surface.
@@ -75,7 +75,7 @@ impl Edge {
     }
 
     /// The derivatives along the edge and across it, out of the surface.
-    fn derivatives<P: Point>(self, is_triangle: bool, along_u: P, along_v: P) -> [P; 2] {
+    fn derivatives<P: Point<Vector = P>>(self, is_triangle: bool, along_u: P, along_v: P) -> [P; 2] {
         let back = |p: P| p.scale(-P::Scalar::ONE);
         match self {
             Self::UEnd if is_triangle => [P::zero(), along_u],
@@ -286,8 +286,8 @@ fn conormal<A: Surface + ?Sized>(
 where
     A::Point: Point3,
 {
-    let mut partials = [[A::Point::zero(); 2]; 2];
-    surface.partials_into(u, v, 2, partials.as_flattened_mut());
+    let mut partials = [[VectorOf::<A>::zero(); 2]; 2];
+    surface.partials_into(u, v, 2, partials.as_flattened_mut()).ok()?;
     let [[point, along_v], [along_u, _]] = partials;
     let domain = surface.domain();
     let [width_u, width_v] = domain.widths();
@@ -298,7 +298,6 @@ where
     if largest_component(out) <= rounding(size.max(step)) {
         return None;
     }
-    let [along, out] = [along, out].map(recast::<A::Point, VectorOf<A>>);
     let perpendicular = direction(cross(direction(along)?, normal))?;
     let height = dot(perpendicular, direction(out)?);
     // Where the derivative across the edge vanishes up to rounding it has no side.

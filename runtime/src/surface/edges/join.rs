@@ -111,12 +111,12 @@ where
         if edge.across() == Direction::V {
             let at = V::domain()[usize::from(edge.is_end())];
             let derivatives = |row: &Curve<V, P>| {
-                let mut derivatives = alloc::vec![P::zero(); order + 1];
+                let mut derivatives = alloc::vec![P::Vector::zero(); order + 1];
                 row.derivatives_into(at, &mut derivatives);
                 derivatives
             };
-            let derivatives: Vec<Vec<P>> = rows.iter().map(derivatives).collect();
-            let points = points(&|k, i| derivatives[i][k], U::LEN);
+            let derivatives: Vec<Vec<P::Vector>> = rows.iter().map(derivatives).collect();
+            let points = points(&|k, i| P::from_vector(derivatives[i][k]), U::LEN);
             return Ok(Across { points, weights: weights(self.u_basis()) });
         }
         let (factors, basis) = self.counting(edge, order).map_err(|row| JoinError::FirstShape { row })?;
@@ -196,7 +196,7 @@ impl<P: Point> Across<P> {
             .collect();
         let over = |points: &Vec<P>| {
             let of_row = |row: &Vec<P::Scalar>| {
-                points.iter().zip(row).fold(P::zero(), |sum, (&p, &weight)| sum.add_scaled(p, weight))
+                points.iter().zip(row).fold(P::zero(), |sum, (&p, &weight)| sum.add_weighted(p, weight))
             };
             let mut coefficients: Vec<P> = self.weights.iter().map(of_row).collect();
             if orientation == Orientation::Opposite {

@@ -18,7 +18,7 @@ fn is_a_point<P: Point>(dim: usize) {
         assert_eq!(P::zero().component(i), P::Scalar::ZERO);
         assert_eq!(point.scale(two).component(i), component * two);
         assert_eq!(point.minus(point.scale(two)).component(i), -component);
-        assert_eq!(point.add_scaled(point, two).component(i), component * P::Scalar::of(3.0));
+        assert_eq!(point.add_weighted(point, two).component(i), component * P::Scalar::of(3.0));
     }
     let curve = Curve::new(QuarticBernstein::new(P::Scalar::of(0.5)).unwrap(), net::<P>());
     let along = Curve::new(QuarticBernstein::new(0.5).unwrap(), net::<[f64; 4]>());
@@ -171,6 +171,71 @@ fn directions_of_points_are_vectors() {
     assert_eq!(squeezed.unwrap_err(), RevolutionError::NoSimilarity);
     let slanted = vase.map(|p| Point3::new(p.x + 1e-3 * p.z, p.y, p.z));
     assert_eq!(slanted.unwrap_err(), RevolutionError::NoSimilarity);
+}
+
+/// So are differences, derivatives and partial derivatives, on every way to them.
+#[test]
+#[cfg(all(feature = "nalgebra", feature = "bspline"))]
+fn derivatives_of_points_are_vectors() {
+    use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, NurbsSurface};
+    use basis_runtime::{
+        AnyCurve, Bezier, ParametricCurve, Path, PiecewiseCurve, RationalBezier, RationalSurface, Surface,
+        SurfaceOfRevolution, TensorSurface, TriangularBezier,
+    };
+    use nalgebra::{Point3, Vector3};
+
+    type P = Point3<f64>;
+    type V = Vector3<f64>;
+
+    let (a, b) = (Point3::new(1.0, 2.0, 3.0), Point3::new(0.5, 0.0, -1.0));
+    let difference: V = Point::minus(a, b);
+    assert_eq!((difference, b.add_scaled(difference, 1.0)), (a - b, a));
+    assert_eq!((a.to_vector(), P::from_vector(a.coords)), (a.coords, a));
+
+    let points = [[0.0, 1.0, 0.0], [1.0, 2.0, 0.5], [3.0, 1.0, -1.0], [4.0, 3.0, 2.0]];
+    let arrays = Bezier::from_points(points);
+    let curve = arrays.map(Point3::from);
+    let [place, velocity]: [V; 2] = curve.eval_with_derivs(0.3);
+    assert_eq!(P::from_vector(place), curve.eval(0.3));
+    assert!((velocity - V::from(arrays.derivative(0.3, 1))).norm() < 1e-14);
+    let mut velocities = [V::zeros(); 3];
+    let mut places = velocities;
+    curve.eval_with_derivs_into(&[0.1, 0.3, 0.8], [&mut places, &mut velocities]).unwrap();
+    assert!((velocities[1] - velocity).norm() < 1e-14 && (places[1] - place).norm() < 1e-14);
+
+    let spline = BSplineCurve::from_bezier(curve.control_points()).unwrap();
+    let weights = [1.0, 2.0, 0.5, 1.0];
+    let rational = RationalBezier::new(curve.control_points(), weights).unwrap();
+    let (nurbs, path) = (NurbsCurve::from(spline.clone()), Path::from_curve(&rational));
+    let pieces = PiecewiseCurve::new(vec![AnyCurve::new(curve), AnyCurve::new(rational.clone())]).unwrap();
+    let curves: [&dyn ParametricCurve<Point = P>; 6] = [&curve, &spline, &nurbs, &rational, &path, &pieces];
+    for curve in curves {
+        let (h, mut found) = (1e-6, [V::zeros(); 3]);
+        curve.derivatives_into(0.3, &mut found);
+        let step: V = (curve.eval(0.3 + h) - curve.eval(0.3 - h)) / (2.0 * h);
+        assert_eq!(P::from_vector(found[0]), curve.eval(0.3));
+        assert!((step - found[1]).norm() < 1e-8 && (curve.derivative(0.3, 2) - found[2]).norm() < 1e-12);
+    }
+
+    let net = |i: usize, j: usize| Point3::new(i as f64, j as f64, (i * j) as f64 - 0.3 * j as f64);
+    let linear = basis_runtime::BernsteinBasis::<f64, 2>::new();
+    let rows = [[net(0, 0), net(0, 1)], [net(1, 0), net(1, 1)]];
+    let tensor = TensorSurface::new(linear, linear, rows);
+    let quotient = RationalSurface::new(linear, linear, rows, [[1.0, 2.0], [1.0, 0.5]]);
+    let spline = BSplineSurface::from_bezier(Net::from_fn(4, 3, net).unwrap()).unwrap();
+    let nurbs = NurbsSurface::from(spline.clone());
+    let vase = SurfaceOfRevolution::new(&curve, Point3::new(-1.0, 0.0, 0.0), V::z(), 2.0).unwrap();
+    let triangle = TriangularBezier::<P, 2, 3>::from_points([net(0, 0), net(0, 2), net(2, 1)]);
+    let surfaces: [&dyn Surface<Point = P>; 6] = [&tensor, &quotient, &spline, &nurbs, &vase, &triangle];
+    for surface in surfaces {
+        let (h, u, v) = (1e-6, 0.3, 0.4);
+        let along: V = surface.partial(u, v, [0, 1]);
+        let step: V = (surface.eval(u, v + h) - surface.eval(u, v - h)) / (2.0 * h);
+        let mut found = [V::zeros(); 4];
+        surface.partials_into(u, v, 2, &mut found).unwrap();
+        assert!((step - along).norm() < 1e-8 && (found[1] - along).norm() < 1e-12);
+        assert!((P::from_vector(found[0]) - surface.eval(u, v)).norm() < 1e-15);
+    }
 }
 
 #[test]

@@ -96,7 +96,7 @@ fn joints_are_measured() {
     assert_eq!((slow.angle, slow.geometric_order(0.0, 0.0, 0.0)), (0.0, Some(1)));
 }
 
-fn two_segments() -> PiecewiseCurve<QuarticBernstein, [f64; 2]> {
+fn two_segments() -> PiecewiseCurve<Curve<QuarticBernstein, [f64; 2]>> {
     let first =
         Curve::new(QuarticBernstein::new(0.5).unwrap(), [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
     let contact = Contact::Parametric { order: 2 };
@@ -129,9 +129,9 @@ fn one_parameter_runs_through_all_segments() {
     assert_eq!(curve.eval_with_derivs::<3>(1.25), second.eval_with_derivs::<3>(0.25));
     assert_eq!(curve.continuity(1e-9, 1e-9, 1e-9), [Some(2)]);
     assert!(curve.samples(5).eq([0.0, 0.5, 1.0, 1.5, 2.0].map(|u| curve.eval(u))));
-    assert_eq!(PiecewiseCurve::<QuarticBernstein, [f64; 2]>::new(vec![]), Err(CurveError::NoSegments));
+    assert_eq!(PiecewiseCurve::<Curve<QuarticBernstein, [f64; 2]>>::new(vec![]), Err(CurveError::NoSegments));
     // Derivatives are those with respect to the common parameter.
-    let line = PiecewiseCurve::from(Curve::new(Linear::default(), [1.0, 7.0]));
+    let line = PiecewiseCurve::from(Curve::new(Linear::default(), [1.0_f64, 7.0]));
     let [point, velocity] = line.eval_with_derivs(0.5);
     assert!((point - 4.0_f64).abs() < 1e-14 && (velocity - 6.0_f64).abs() < 1e-14);
 }

@@ -95,7 +95,12 @@ impl<S: Surface> Surface for Counted<'_, S> {
         self.surface.eval(u, v)
     }
 
-    fn partial(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, orders: [usize; 2]) -> Self::Point {
+    fn partial(
+        &self,
+        u: ScalarOf<Self>,
+        v: ScalarOf<Self>,
+        orders: [usize; 2],
+    ) -> basis_runtime::VectorOf<Self> {
         self.surface.partial(u, v, orders)
     }
 }
