@@ -167,6 +167,30 @@ impl Absolute {
     }
 }
 
+/// A bound where the shares of all steps take too much work, by counting: a sum of products with at most d factors 1 + δ, whose
+/// absolute values add up to at most A, is off by at most A((1 + u)ᵈ − 1).
+pub(super) fn counted(
+    exact: &mut Exact<'_>,
+    output: usize,
+    cell: &Cell,
+    work: &mut Work,
+) -> Option<(Rational, Part)> {
+    let mut conditions = Conditions { cell, known: Vec::new() };
+    for k in exact.quotients_by_sums(output) {
+        let Step::Div(_, divisor) = exact.step(k) else { continue };
+        let (bound, part) = Relative::new(exact, *divisor, work)?.on(exact, cell, work)?;
+        let last = part.last(&bound);
+        part.conditions.into_iter().chain(last).for_each(|p| conditions.add(p));
+        exact.set_weight(k, &bound)?;
+    }
+    let size = relative_size(exact, output, &Fraction::constant(Rational::ONE), &mut conditions, work)?;
+    let depth = exact.depth(output);
+    let bound = &(&depth * &size) + &rest::of_sum(&depth, &size)?;
+    let (domain, conditions, own) = (Rc::clone(&cell.domain), conditions.known, Some(bound.clone()));
+    let part = Part { domain, conditions, value: Poly::zero(), sums: Vec::new(), rest: Rational::ZERO, own };
+    Some((bound, part))
+}
+
 type InShares = (Vec<(usize, Poly)>, Poly, Poly);
 
 /// The shares of the steps of a sum and its value, all times their common denominator, and this.

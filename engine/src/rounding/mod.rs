@@ -62,7 +62,7 @@ use crate::plan::Input;
 use crate::plan::evaluated::{self, is_evaluated};
 use crate::plan::interval::form::RationalForm;
 use crate::steps::{FamilySteps, Steps};
-use absolute::{Absolute, MOST_SIGNED};
+use absolute::{Absolute, MOST_SIGNED, counted};
 #[cfg(any(test, feature = "tools"))]
 pub use advice::advice;
 use angles::OnCoordinates;
@@ -302,15 +302,23 @@ fn of_points(
             refined(inputs, share, work, on)
         })
     };
-    if inputs.points.len() > most_signed {
-        return on_points(0, share, work);
-    }
-    // What the first way does not take is left for the second, which is better on as many cells.
-    let before = work.left();
-    let unsigned = on_points(0, share / 4, work);
-    let signed = on_points(most_signed, share - (before - work.left()), work);
+    // What one way does not take is left for the next, which is better on as many cells.
+    let (before, is_signed) = (work.left(), inputs.points.len() <= most_signed);
+    let unsigned = on_points(0, if is_signed { share / 4 } else { share / 4 * 3 }, work);
+    let mut left = share - (before - work.left());
+    let signed = is_signed
+        .then(|| on_points(most_signed, if unsigned.is_none() { left / 2 } else { left }, work))
+        .flatten();
+    left = share - (before - work.left());
     let most = |parts: &Parts| parts.iter().map(|(bound, _)| bound.clone()).max();
-    [unsigned, signed].into_iter().flatten().min_by_key(most)
+    let found = [unsigned, signed].into_iter().flatten().min_by_key(most);
+    found.or_else(|| {
+        with_share(work, left, &mut |work| {
+            let on =
+                &mut |cell: &Cell, work: &mut Work| counted(&mut exact, output, cell, work).ok_or(Lack::Here);
+            refined(inputs, left / 4, work, on)
+        })
+    })
 }
 
 /// The steps of the values on one span.
