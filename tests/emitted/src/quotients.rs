@@ -33,7 +33,7 @@ const _: () = basis_runtime::generated::unchanged(
 ///
 /// Rounding errors of the values, proved to be at most: `b[0]`: 32.29 ε of the value; `b[1]`: 41.25 ε of the value; `b[2]`: 16.01 ε of the value, as long as sines, cosines, tangents and exponentials of the library are within one unit in the last place, hyperbolic tangents within two.
 ///
-/// Rounding error of a point, binding included: no bound found.
+/// Rounding error of each component of a point of a curve, binding included, proved to be at most: 160.39 ε times the largest absolute value of that component of a control point.
 ///
 /// # Claims
 ///
@@ -151,6 +151,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::RationalBasis for Swing<S> {
         basis_runtime::Rounding::Relative(41.25),
         basis_runtime::Rounding::Relative(16.01),
     ];
+    const ROUNDING_POINT: Option<f64> = Some(160.39);
     #[inline]
     fn chart(&self) -> basis_runtime::Chart<S> {
         let _tangent0 = v1::tan(S::of(0.25) * self.alpha);
