@@ -252,7 +252,8 @@ pub fn rounding(family: &Family) -> Vec<(String, String)> {
         .into_iter()
         .map(|known| known.map(|(error, _)| error))
         .collect::<Vec<_>>();
-    let mut lines = rounding::grouped(&errors, family, &|k| rounding::advice(family, Some(k)));
+    let groups = rounding::grouped(&errors, family, &|k| rounding::advice(family, Some(k)));
+    let mut lines = groups.into_iter().map(|group| (group.labels, group.text)).collect::<Vec<_>>();
     match state::point_error(family) {
         Some((error, _)) => {
             let text = format!("{error} times the largest control point, in each coordinate");

@@ -8,7 +8,7 @@ use crate::model::Family;
 use crate::plan::evaluated::is_mixed;
 #[cfg(any(test, feature = "tools"))]
 use crate::rounding::advice;
-use crate::rounding::{Error, assumed, decimal, grouped};
+use crate::rounding::{BARYCENTRIC, Error, assumed, decimal, grouped};
 use crate::state::{point_error, value_errors};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -70,13 +70,20 @@ pub(super) fn lines(bounds: &Bounds, family: &Family) -> Vec<String> {
     let says_why = cfg!(any(test, feature = "tools"));
     let none = vec![None; if says_why { family.functions.len() } else { 0 }];
     let values = if bounds.values.is_empty() { &none } else { &bounds.values };
-    if !values.is_empty() {
-        let groups = grouped(values, family, &|k| without(family, Some(k)));
-        let texts = groups.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
+    let groups = grouped(values, family, &|k| without(family, Some(k)));
+    let texts = |is_bounded: bool| {
+        let own = groups.iter().filter(|group| group.is_bounded == is_bounded);
+        own.map(|group| format!("`{}`: {}", group.labels, group.text)).listed().join("; ")
+    };
+    let (bounded, others) = (texts(true), texts(false));
+    if !bounded.is_empty() {
         let assumed = assumed(family).map_or_else(String::new, |text| format!(", {text}"));
-        let texts = texts.join("; ");
-        let line = format!("Rounding errors of the values, proved to be at most: {texts}{assumed}.");
+        let line = format!("Rounding errors of the values, proved to be at most: {bounded}{assumed}.");
         lines.extend([String::new(), line]);
+    }
+    if !others.is_empty() {
+        let of = if bounded.is_empty() { "the values" } else { "other values" };
+        lines.extend([String::new(), format!("Rounding errors of {of}: {others}.")]);
     }
     if let Some(error) = &bounds.point {
         let epsilons = decimal(error.epsilons());
@@ -85,7 +92,7 @@ pub(super) fn lines(bounds: &Bounds, family: &Family) -> Vec<String> {
             "Rounding error of each component of a point of a {of}, binding included, proved to be at most: {epsilons} ε times the largest absolute value of that component of a control point"
         );
         if !family.simplices.is_empty() {
-            line += ", where the barycentric coordinates add up to 1";
+            line += &format!(", {BARYCENTRIC}");
         }
         lines.extend([String::new(), line + "."]);
     } else if says_why {

@@ -87,6 +87,16 @@ pub struct Truncation {
     pub divisor: Poly,
 }
 
+/// Whether it is found how far polynomials are from the functions in whose place they are evaluated: only bounds of rounding
+/// errors need it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Truncations {
+    /// It is found.
+    Found,
+    /// It is left out.
+    LeftOut,
+}
+
 /// A shape parameter or a domain variable.
 #[derive(Clone, Debug)]
 pub struct Parameter {

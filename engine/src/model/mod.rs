@@ -24,5 +24,5 @@ pub(crate) mod words;
 #[cfg(feature = "joins")]
 pub(crate) use expand::shapes::parts;
 pub(crate) use family::label;
-pub use family::{Barycentric, Factor, Family, Function, Parameter, Truncation};
+pub use family::{Barycentric, Factor, Family, Function, Parameter, Truncation, Truncations};
 pub use library::{Library, Selected};

@@ -4,16 +4,16 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::model::angle::tangents::in_tangents;
-use crate::model::{Family, Function};
+use crate::model::{Family, Function, Truncations};
 use crate::plan::interval::form::RationalForm;
 use crate::plan::series;
 use basis_prover::collections::list::Listed;
 
 /// The family as it is evaluated: in polynomials where the domain variable stands beside its sine, in the tangents of
 /// its shape parameters elsewhere; `None` where no such form is known.
-pub(crate) fn form(family: &Family) -> Option<Cow<'_, Family>> {
+pub(crate) fn form(family: &Family, truncations: Truncations) -> Option<Cow<'_, Family>> {
     if is_mixed(family) {
-        return series::in_polynomials(family).map(Cow::Owned);
+        return series::in_polynomials(family, truncations).map(Cow::Owned);
     }
     let evaluated = in_tangents(family)?;
     Some(if family.analytic.roots.is_empty() { evaluated } else { Cow::Owned(vanishing(&evaluated)) })

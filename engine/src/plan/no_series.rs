@@ -1,9 +1,9 @@
 //! Stands for power series of functions with variables beside their sines where the feature `angles` is off.
 
-use crate::model::Family;
+use crate::model::{Family, Truncations};
 
 /// Nothing, of nothing.
-pub(crate) fn in_polynomials(_: &Family) -> Option<Family> {
+pub(crate) fn in_polynomials(_: &Family, _: Truncations) -> Option<Family> {
     None
 }
 

@@ -125,7 +125,10 @@ impl Absolute {
             part.conditions.into_iter().chain(last).for_each(|p| conditions.add(p));
             exact.set_weight(*k, &bound)?;
         }
-        let value = conditions.absolute(&self.below, work)?;
+        let shares = self.choices.iter().flat_map(|shares| &shares.groups).map(|group| &group.poly);
+        let below = cell.of_degree(&self.below, &mut { shares });
+        let value = conditions.absolute(&below, work)?;
+        let compared = cell.times_power(value.clone(), work)?;
         let (mut sums, mut most) = (Vec::new(), Rational::ZERO);
         for shares in &self.choices {
             let mut sum = Poly::zero();
@@ -135,7 +138,8 @@ impl Absolute {
                     sum = &sum + &conditions.size(&share.poly, &value, work)?.scale(&weight);
                 }
             }
-            let first = cell.ratio(&sum, &value, work)?;
+            let sum = cell.times_power(sum, work)?;
+            let first = cell.ratio(&sum, &compared, work)?;
             if first > most {
                 most = first;
             }
@@ -151,16 +155,40 @@ impl Absolute {
             };
             let rest = rest::of_sum(&exact.depth(self.output), &size)?;
             let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
-            let part = Part { domain, conditions, value, sums, rest: rest.clone(), own: None };
+            let part = Part { domain, conditions, value: compared, sums, rest: rest.clone(), own: None };
             return Some((&most + &rest, part));
         };
         let rest = higher(exact, parts, &most, &mut conditions, work)?;
         let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
         // What is of higher order is a multiple of L, so that L is what is proved.
         let own = Some(most.clone());
-        let part = Part { domain, conditions, value, sums, rest: Rational::ZERO, own };
+        let part = Part { domain, conditions, value: compared, sums, rest: Rational::ZERO, own };
         Some((&most + &rest, part))
     }
+}
+
+/// A bound where the shares of all steps take too much work, by counting: a sum of products with at most d factors 1 + δ, whose
+/// absolute values add up to at most A, is off by at most A((1 + u)ᵈ − 1).
+pub(super) fn counted(
+    exact: &mut Exact<'_>,
+    output: usize,
+    cell: &Cell,
+    work: &mut Work,
+) -> Option<(Rational, Part)> {
+    let mut conditions = Conditions { cell, known: Vec::new() };
+    for k in exact.quotients_by_sums(output) {
+        let Step::Div(_, divisor) = exact.step(k) else { continue };
+        let (bound, part) = Relative::new(exact, *divisor, work)?.on(exact, cell, work)?;
+        let last = part.last(&bound);
+        part.conditions.into_iter().chain(last).for_each(|p| conditions.add(p));
+        exact.set_weight(k, &bound)?;
+    }
+    let size = relative_size(exact, output, &Fraction::constant(Rational::ONE), &mut conditions, work)?;
+    let depth = exact.depth(output);
+    let bound = &(&depth * &size) + &rest::of_sum(&depth, &size)?;
+    let (domain, conditions, own) = (Rc::clone(&cell.domain), conditions.known, Some(bound.clone()));
+    let part = Part { domain, conditions, value: Poly::zero(), sums: Vec::new(), rest: Rational::ZERO, own };
+    Some((bound, part))
 }
 
 type InShares = (Vec<(usize, Poly)>, Poly, Poly);

@@ -53,6 +53,9 @@ const FUNCTIONS: &str = "as long as sines, cosines, tangents and exponentials of
 pub const NEAREST: &str =
     "float next to an end or a knot that is none, such as pi/2 or 1/3, is taken for that end or knot";
 
+/// For which coordinates on simplices bounds hold: elsewhere those of formulas that are homogeneous in them.
+pub const BARYCENTRIC: &str = "where the barycentric coordinates add up to 1";
+
 /// Whether the values of a family are computed by elementary functions, so that bounds assume something of these.
 pub fn needs_functions(family: &Family) -> bool {
     all_spans(family).any(|piece| piece.analytic.is_transcendental())
@@ -77,12 +80,13 @@ fn all_spans(family: &Family) -> impl Iterator<Item = &Family> {
 
 /// What the bounds of a family assume; `None` where that is nothing.
 pub fn assumed(family: &Family) -> Option<String> {
-    match (needs_functions(family), has_ends_beside_floats(family)) {
-        (true, true) => Some(format!("{FUNCTIONS}; the {NEAREST}")),
-        (true, false) => Some(String::from(FUNCTIONS)),
-        (false, true) => Some(format!("the {NEAREST}")),
-        (false, false) => None,
-    }
+    let texts = [
+        (!family.simplices.is_empty(), String::from(BARYCENTRIC)),
+        (needs_functions(family), String::from(FUNCTIONS)),
+        (has_ends_beside_floats(family), format!("the {NEAREST}")),
+    ];
+    let texts = texts.into_iter().filter_map(|(is_so, text)| is_so.then_some(text)).listed();
+    (!texts.is_empty()).then(|| texts.join("; "))
 }
 
 /// The values on a span as steps whose inputs are the coordinates and the tangents.
@@ -218,7 +222,16 @@ pub(super) fn inputs(
         off.push((input, value, in_all(&weight)));
     }
     let shapes = family.shapes.mapped(|p| p.var);
-    Some(Inputs { region: Region { ranges }, shapes, coordinates: vec![y], points, ones: false, off })
+    let (region, coordinates) = (Region { ranges }, vec![y]);
+    Some(Inputs {
+        region,
+        shapes,
+        of_intervals: coordinates.clone(),
+        coordinates,
+        simplices: Vec::new(),
+        points,
+        off,
+    })
 }
 
 /// With what is of higher order, rounded up to a number of few digits.

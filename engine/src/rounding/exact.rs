@@ -5,7 +5,6 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::plan::Input;
 use crate::steps::{Step, Steps};
 use basis_prover::collections::list::Listed;
 
@@ -45,10 +44,9 @@ impl<'a> Exact<'a> {
                 continue;
             }
             weights.push(None);
-            let one = matches!(step, Step::Input(Input::Bound(_))) && inputs.ones;
-            values.push(one.then(|| Fraction::constant(Rational::ONE)));
+            values.push(None);
             variables.push(match step {
-                Step::Input(input) if !one => Some(inputs.variable(*input)?),
+                Step::Input(input) => Some(inputs.variable(*input)?),
                 _ => None,
             });
         }

@@ -11,7 +11,8 @@
 //!
 //! What is of higher order in u is bounded by a number that counts roundings, with u = 2⁻²⁴, that of `f32`; file
 //! `rest`. Steps that do not round are left out: inputs, numbers that are floats, negation, products with powers of
-//! two, and differences a − b with b/2 ≤ a ≤ 2b (Sterbenz), for which the domain is cut into cells.
+//! two, and differences a − b with b/2 ≤ a ≤ 2b (Sterbenz). The domain is cut into cells for these, and where a bound is
+//! the largest; file `refine`.
 //!
 //! A value that is proved to be nonnegative may be cut off at 0, which changes no error for the worse: the exact value
 //! is not on the other side. So its bound is that of what is cut off.
@@ -28,7 +29,8 @@
 //! that are off; file `angles`. Where a float is that of an end such as π/2, the value is the one at the end.
 //!
 //! Shape values and the coordinates of a point are exact as they are given. All three or four barycentric coordinates
-//! are inputs: the exact value is that of the formula for these floats, also if they do not quite sum to 1.
+//! are inputs: the exact value is that of the formula, made homogeneous in them, for these floats, also if they do not
+//! quite sum to 1. An absolute bound is then one times a power of their sum.
 
 mod absolute;
 #[cfg(any(test, feature = "tools"))]
@@ -40,6 +42,7 @@ mod curve;
 mod exact;
 mod majorant;
 mod net;
+mod refine;
 mod relative;
 mod rest;
 mod series;
@@ -54,18 +57,19 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::model::Family;
+use crate::model::{Factor, Family, Truncations};
 use crate::plan::Input;
 use crate::plan::evaluated::{self, is_evaluated};
 use crate::plan::interval::form::RationalForm;
 use crate::steps::{FamilySteps, Steps};
-use absolute::{Absolute, MOST_SIGNED};
+use absolute::{Absolute, MOST_SIGNED, counted};
 #[cfg(any(test, feature = "tools"))]
 pub use advice::advice;
 use angles::OnCoordinates;
-pub use angles::{NEAREST, assumed, has_ends_beside_floats, needs_functions};
+pub use angles::{BARYCENTRIC, NEAREST, assumed, has_ends_beside_floats, needs_functions};
 use cell::Cell;
 use exact::Exact;
+use refine::{Lack, refined};
 use relative::Relative;
 
 /// How far a computed value may be from the exact one, in units of ε, the distance from 1 to the next float: 2⁻²³ for
@@ -109,20 +113,28 @@ pub fn decimal(x: &Rational) -> String {
     }
 }
 
+/// Functions with the same bound.
+pub(crate) struct Group {
+    pub(crate) labels: String,
+    /// Their bound, or what is said in its place.
+    pub(crate) text: String,
+    pub(crate) is_bounded: bool,
+}
+
 /// The bounds of all functions of a family as text, each with the functions that have it, in the order of the first; what
 /// is said of a function in place of a bound where there is none.
 pub(crate) fn grouped(
     errors: &[Option<Error>],
     family: &Family,
     without: &dyn Fn(usize) -> String,
-) -> Vec<(String, String)> {
-    let mut groups: Vec<(String, String)> = Vec::new();
+) -> Vec<Group> {
+    let mut groups: Vec<Group> = Vec::new();
     for (k, error) in errors.iter().enumerate() {
-        let bound = error.as_ref().map_or_else(|| without(k), ToString::to_string);
-        let label = family.function_label(k);
-        match groups.iter_mut().find(|(_, other)| *other == bound) {
-            Some((labels, _)) => *labels += &format!(", {label}"),
-            None => groups.push((label, bound)),
+        let text = error.as_ref().map_or_else(|| without(k), ToString::to_string);
+        let (labels, is_bounded) = (family.function_label(k), error.is_some());
+        match groups.iter_mut().find(|other| other.text == text) {
+            Some(other) => other.labels += &format!(", {labels}"),
+            None => groups.push(Group { labels, text, is_bounded }),
         }
     }
     groups
@@ -181,7 +193,7 @@ impl Bound {
 /// `None` in place of a list when the work is spent, the family is too large to be generated, or has an end that is
 /// computed otherwise than as a sum of multiples of shape parameters.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
-    let family = &*evaluated::form(family)?;
+    let family = &*evaluated::form(family, Truncations::Found)?;
     if series::is_series(family) {
         return series::values(family);
     }
@@ -192,18 +204,23 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
             exact.push(OnSpan { exact: Exact::new(steps, inputs)?, steps, inputs });
         }
         let (count, whole) = (family.functions.len(), work.left());
-        let mut bounds = Vec::new();
-        // A hard function takes at most two fifths of the work, or its part of what is left for it and those after it.
+        let mut bounds: Vec<Option<Bound>> = vec![None; count];
         let steps: u64 = exact.iter().map(|span| span.steps.steps.len() as u64).sum();
-        for k in 0..count {
-            // Which steps a function needs is found among those of all functions.
-            if work.spend(steps).is_none() {
-                bounds.push(None);
-                continue;
+        // A hard function takes at most a quarter of the work, or its part of what is left for it and those after it; what is
+        // left by all is for those without a bound.
+        for most in [whole / 4, 0] {
+            for k in 0..count {
+                if bounds[k].is_some() {
+                    continue;
+                }
+                let others = bounds[k..].iter().filter(|bound| bound.is_none()).count() as u64;
+                // Which steps a function needs is found among those of all functions.
+                let part = (work.left() / others).saturating_sub(steps);
+                let share = part.max(work.left().min(most));
+                if work.spend(steps).is_some() {
+                    bounds[k] = with_share(work, share, &mut |own| value(&mut exact, k, part / 2, own));
+                }
             }
-            let (left, others) = (work.left(), u64::try_from(count - k).unwrap_or(u64::MAX));
-            let share = (left / others).max(left.min(2 * whole / 5));
-            bounds.push(with_share(work, share, &mut |own| value(&mut exact, k, own)));
         }
         Some(bounds)
     })
@@ -249,7 +266,7 @@ fn without_angles(family: &Family) -> Option<FamilySteps<'_>> {
 ///
 /// `None` when the work is spent or nothing is found.
 pub fn point(family: &Family) -> Option<Bound> {
-    let family = &*evaluated::form(family)?;
+    let family = &*evaluated::form(family, Truncations::Found)?;
     if RationalForm::is_of(family) {
         return curve::point(family);
     }
@@ -259,15 +276,14 @@ pub fn point(family: &Family) -> Option<Bound> {
     };
     let steps = form.on_control_points(&curve);
     let inputs = Inputs::of(family, family.functions.len());
-    let parts = basis_prover::working(family.budget, &mut |work| {
-        of_points(&steps, &inputs, MOST_SIGNED, work.left(), work)
-    });
-    Some(rounded_up(parts?, Error::Absolute, &Rational::ZERO))
+    basis_prover::working(family.budget, &mut |work| {
+        let parts = of_points(&steps, &inputs, MOST_SIGNED, work.left(), work)?;
+        Some(rounded_up(parts, Error::Absolute, &Rational::ZERO))
+    })
 }
 
-/// Bounds of the error of steps that are linear in control points, with a share of the work: with the worst signs of
-/// the control points, if these are few and there is enough of it, else with those of each step by itself; on many
-/// cells or on few.
+/// Bounds of the error of steps that are linear in control points, with a share of the work: with the signs of the points that are
+/// the worst for each step by itself, and, if there are few points, with those that are the worst for all of them.
 fn of_points(
     steps: &Steps,
     inputs: &Inputs,
@@ -275,34 +291,34 @@ fn of_points(
     share: u64,
     work: &mut Work,
 ) -> Option<Parts> {
-    let is_signed = inputs.points.len() <= most_signed;
-    let ways = [(most_signed, 8), (0, 8), (0, 4), (0, 1)];
-    let ways = ways.into_iter().skip(usize::from(!is_signed)).listed();
-    for (k, (signed, count)) in ways.iter().enumerate() {
-        // What a way did not take is left for the others.
-        let (parts, of) = if k + 1 < ways.len() { (3, 4) } else { (1, 1) };
-        let own = share.min(work.left()) / of * parts;
-        let found = with_share(work, own, &mut |work| on_points(steps, inputs, *signed, *count, work));
-        if found.is_some() {
-            return found;
-        }
-    }
-    None
-}
-
-/// The same in one way: with all signs of up to so many points, on cells of which there are `count` along the domain.
-fn on_points(
-    steps: &Steps,
-    inputs: &Inputs,
-    most_signed: usize,
-    count: u32,
-    work: &mut Work,
-) -> Option<Parts> {
     let mut exact = Exact::new(steps, inputs)?;
     let output = *steps.outputs.first()?;
-    let cells = inputs.cells(count, count.div_ceil(2));
-    let absolute = Absolute::new(&mut exact, output, &inputs.points, most_signed, work)?;
-    on_each(&cells, &mut |cell| absolute.on(&mut exact, cell, work))
+    let share = share.min(work.left());
+    let mut on_points = |most_signed: usize, share: u64, work: &mut Work| {
+        with_share(work, share, &mut |work| {
+            let absolute = Absolute::new(&mut exact, output, &inputs.points, most_signed, work)?;
+            let on =
+                &mut |cell: &Cell, work: &mut Work| absolute.on(&mut exact, cell, work).ok_or(Lack::Here);
+            refined(inputs, share, work, on)
+        })
+    };
+    // What one way does not take is left for the next, which is better on as many cells.
+    let (before, is_signed) = (work.left(), inputs.points.len() <= most_signed);
+    let unsigned = on_points(0, if is_signed { share / 4 } else { share / 4 * 3 }, work);
+    let mut left = share - (before - work.left());
+    let signed = is_signed
+        .then(|| on_points(most_signed, if unsigned.is_none() { left / 2 } else { left }, work))
+        .flatten();
+    left = share - (before - work.left());
+    let most = |parts: &Parts| parts.iter().map(|(bound, _)| bound.clone()).max();
+    let found = [unsigned, signed].into_iter().flatten().min_by_key(most);
+    found.or_else(|| {
+        with_share(work, left, &mut |work| {
+            let on =
+                &mut |cell: &Cell, work: &mut Work| counted(&mut exact, output, cell, work).ok_or(Lack::Here);
+            refined(inputs, left / 4, work, on)
+        })
+    })
 }
 
 /// The steps of the values on one span.
@@ -315,46 +331,35 @@ struct OnSpan<'a> {
 type Parts = Vec<(Rational, Part)>;
 
 impl OnSpan<'_> {
-    /// Into how many parts the ranges of coordinates and of shape parameters are cut, one way after the other.
-    fn cuts<const N: usize>(&self, coordinates: [u32; N]) -> Vec<(u32, u32)> {
-        let mut cuts = coordinates.mapped(|count| (*count, 1));
-        cuts.extend((!self.inputs.shapes.is_empty()).then_some((8, 4)));
-        cuts
+    /// A bound relative to the value; so much of the work is spent on a smaller one.
+    fn relative(&mut self, function: usize, share: u64, work: &mut Work) -> Option<Parts> {
+        let Self { exact, steps, inputs } = self;
+        let relative = Relative::new(exact, steps.outputs[function], work)?;
+        let on = &mut |cell: &Cell, work: &mut Work| {
+            relative.on(exact, cell, work).ok_or_else(|| relative.lack(cell, work))
+        };
+        refined(inputs, share, work, on)
     }
 
-    fn relative(&mut self, function: usize, work: &mut Work) -> Option<Parts> {
-        let relative = Relative::new(&mut self.exact, self.steps.outputs[function], work)?;
-        for (coordinates, shapes) in self.cuts([2, 8]) {
-            let cells = self.inputs.cells(coordinates, shapes);
-            let parts = on_each(&cells, &mut |cell| relative.on(&mut self.exact, cell, work));
-            if parts.is_some() {
-                return parts;
-            }
-        }
-        None
-    }
-
-    fn absolute(&mut self, function: usize, work: &mut Work) -> Option<Parts> {
-        let absolute = Absolute::new(&mut self.exact, self.steps.outputs[function], &[], 0, work)?;
-        // On fewer cells with what is left of the work.
-        self.cuts([16]).into_iter().chain([(4, 1), (1, 1)]).find_map(|(coordinates, shapes)| {
-            let cells = self.inputs.cells(coordinates, shapes);
-            let share = work.left() / 4 * 3;
-            with_share(work, share, &mut |work| {
-                on_each(&cells, &mut |cell| absolute.on(&mut self.exact, cell, work))
-            })
-        })
+    fn absolute(&mut self, function: usize, share: u64, work: &mut Work) -> Option<Parts> {
+        let Self { exact, steps, inputs } = self;
+        let absolute = Absolute::new(exact, steps.outputs[function], &[], 0, work)?;
+        let on = &mut |cell: &Cell, work: &mut Work| absolute.on(exact, cell, work).ok_or(Lack::Here);
+        refined(inputs, share, work, on)
     }
 }
 
-/// The bound of one value, relative if there is one on all spans.
-fn value(spans: &mut [OnSpan<'_>], function: usize, work: &mut Work) -> Option<Bound> {
+/// The bound of one value, relative if there is one on all spans; so much of the work is spent on a smaller one.
+fn value(spans: &mut [OnSpan<'_>], function: usize, share: u64, work: &mut Work) -> Option<Bound> {
+    let most = share / spans.len().max(1) as u64;
     let mut on_all = |is_relative: bool| {
         let mut all = Vec::new();
         for span in &mut *spans {
-            let parts =
-                if is_relative { span.relative(function, work) } else { span.absolute(function, work) };
-            all.extend(parts?);
+            all.extend(if is_relative {
+                span.relative(function, most, work)?
+            } else {
+                span.absolute(function, most, work)?
+            });
         }
         Some(all)
     };
@@ -362,15 +367,6 @@ fn value(spans: &mut [OnSpan<'_>], function: usize, work: &mut Work) -> Option<B
         return Some(rounded_up(parts, Error::Relative, &Rational::ZERO));
     }
     Some(rounded_up(on_all(false)?, Error::Absolute, &Rational::ZERO))
-}
-
-/// A part for each cell, or `None` if one has none.
-fn on_each(cells: &[Cell], part: &mut dyn FnMut(&Cell) -> Option<(Rational, Part)>) -> Option<Parts> {
-    let mut parts = Vec::new();
-    for cell in cells {
-        parts.push(part(cell)?);
-    }
-    Some(parts)
 }
 
 /// The largest bound, or a number, which are in u, in hundredths of ε.
@@ -398,10 +394,12 @@ struct Inputs {
     shapes: Vec<Var>,
     /// On a simplex one more than are independent.
     coordinates: Vec<Var>,
+    /// Those of intervals.
+    of_intervals: Vec<Var>,
+    /// Those of each simplex.
+    simplices: Vec<Vec<Var>>,
     /// One component of each control point, between −1 and 1.
     points: Vec<Var>,
-    /// Whether all coefficients that binding gave are 1.
-    ones: bool,
     /// The inputs that are no variables, with their exact values and how many u they are off.
     off: Vec<(Input, Poly, Rational)>,
 }
@@ -415,14 +413,18 @@ impl Inputs {
             ranges.push((p.var, p.range.clone()));
             coordinates.push(p.var);
         }
+        let (mut of_intervals, mut simplices) = (Vec::new(), Vec::new());
+        for factor in family.factors() {
+            match factor {
+                Factor::Interval(p) => of_intervals.push(p.var),
+                Factor::Simplex(independent, last) => {
+                    simplices.push(independent.iter().chain([last]).map(|p| p.var).listed());
+                }
+            }
+        }
         let points = with_points(&mut ranges, points);
-        Self { region: Region { ranges }, shapes, coordinates, points, ones: false, off: Vec::new() }
-    }
-
-    /// The cells that cut the range of each coordinate and of each shape parameter into so many parts, or fewer.
-    fn cells(&self, coordinates: u32, shapes: u32) -> Vec<Cell> {
-        let cuts = |variables: &[Var], count: u32| variables.mapped(|v| (*v, count));
-        Cell::grid(&self.region, &[cuts(&self.coordinates, coordinates), cuts(&self.shapes, shapes)].concat())
+        let (region, off) = (Region { ranges }, Vec::new());
+        Self { region, shapes, coordinates, of_intervals, simplices, points, off }
     }
 
     fn variable(&self, input: Input) -> Option<Var> {

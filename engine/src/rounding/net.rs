@@ -2,12 +2,12 @@
 //! point of the net.
 //!
 //! With M the largest |Pₖ|, each element of the net is Cᵣ = Σₖ wᵣₖ Pₖ, |Cᵣ| ≤ Λ M, and is computed with an error of at most
-//! b u M. The point V(C) = Σᵣ Bᵣ Cᵣ is computed from the net by sums and by products with nonnegative factors only: it is a sum
+//! bᵣ u M. The point V(C) = Σᵣ Bᵣ Cᵣ is computed from the net by sums and by products with nonnegative factors only: it is a sum
 //! of terms w·Cᵣ, w ≥ 0, that roundings multiply by products of factors 1 + δ. These are farthest from 1 where all roundings go
-//! up, and there the error for a net of ones is the sum of what they add. If that error is at most κ u, relative to V(1) = Σ Bᵣ,
-//! whatever the roundings are, the error for any net is at most κ u max|Cᵣ| Σ Bᵣ. Together that is
+//! up, and there the error for a net whose elements are all Λ M, off by bᵣ u M, is the sum of what they add. If that error is at
+//! most κ u, relative to Λ M V(1), V(1) = Σ Bᵣ, whatever the roundings are, the error for any net is at most
 //!
-//! (κ (Λ + b u) + b) u M Σ Bᵣ.
+//! κ u Λ M Σ Bᵣ.
 //!
 //! Σ Bᵣ is 1 where the coordinates add up to 1 in each factor of the domain, and for barycentric coordinates that do not a
 //! power of their sum.
@@ -15,53 +15,79 @@
 use super::absolute::{Absolute, MOST_SIGNED};
 use super::cell::Cell;
 use super::exact::Exact;
-use super::{Bound, Error, Inputs, OnSpan, Part, on_each, rest, rounded_up, value};
+use super::refine::{Lack, refined};
+use super::{Bound, Error, Inputs, OnSpan, Part, rounded_up, value};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::plan::Input;
 use crate::steps::{FamilySteps, Step, Steps};
-use basis_prover::collections::list::Listed;
 use std::rc::Rc;
 
 /// The bound of a point of a patch in ε, relative to the largest |Pₖ|; `None` when nothing is found or the work is spent.
 pub(super) fn patch_point(family: &Family, steps: &FamilySteps<'_>, work: &mut Work) -> Option<Bound> {
     let none = vec![0; family.domain.len()];
     let mut parts = Vec::new();
-    let kappa = evaluation(family, &steps.patch(&none)?, &mut parts, work)?;
-    let bind = steps.bind();
-    let inputs = Inputs::of(family, family.functions.len());
-    let mut exact = Exact::new(&bind, &inputs)?;
-    let cells = Cell::grid(&inputs.region, &inputs.shapes.iter().map(|v| (*v, 2)).listed());
-    let (mut error, mut size) = (Rational::ZERO, Rational::ZERO);
-    let mut known: Vec<usize> = Vec::new();
-    for output in &bind.outputs {
-        if known.contains(output) {
-            continue;
-        }
-        known.push(*output);
-        let absolute = Absolute::new(&mut exact, *output, &inputs.points, MOST_SIGNED, work)?;
-        let bounded = on_each(&cells, &mut |cell| absolute.on(&mut exact, cell, work))?;
-        let sizes = on_each(&cells, &mut |cell| absolute.size_on(cell, work))?;
-        for (largest, found) in [(&mut error, bounded), (&mut size, sizes)] {
-            for (bound, part) in found {
-                parts.push(Part { own: Some(bound.clone()), ..part });
-                if bound > *largest {
-                    *largest = bound;
-                }
-            }
-        }
-    }
-    let computed = &size + &(&error * &rest::unit());
-    let total = &(&kappa * &computed) + &error;
-    let bound = rounded_up(Vec::new(), Error::Absolute, &total);
+    let bound = binding(family, &steps.bind(), &mut parts, work)?;
+    let size = bound.iter().map(|[_, size]| size.clone()).max()?;
+    let off = |(k, [error, _]): (usize, &[Rational; 2])| {
+        Some((Input::Bound(k), Poly::constant(size.clone()), error.checked_div(&size)?))
+    };
+    let net = bound.iter().enumerate().map(off).collect::<Option<Vec<_>>>()?;
+    let kappa = evaluation(family, &steps.patch(&none)?, net, &mut parts, work)?;
+    let bound = rounded_up(Vec::new(), Error::Absolute, &(&kappa * &size));
     Some(Bound { cells: parts, ..bound })
 }
 
-/// κ: the relative error in u of the point of a net of ones; with the parts that it follows from.
-fn evaluation(family: &Family, steps: &Steps, parts: &mut Vec<Part>, work: &mut Work) -> Option<Rational> {
-    let inputs = Inputs { ones: true, ..Inputs::of(family, 0) };
+/// b and Λ of each coefficient that binding control points gives; with the parts that they follow from.
+fn binding(
+    family: &Family,
+    bind: &Steps,
+    parts: &mut Vec<Part>,
+    work: &mut Work,
+) -> Option<Vec<[Rational; 2]>> {
+    // No coordinate occurs.
+    let (of_intervals, simplices) = (Vec::new(), Vec::new());
+    let inputs = Inputs { of_intervals, simplices, ..Inputs::of(family, family.functions.len()) };
+    let mut exact = Exact::new(bind, &inputs)?;
+    let mut known: Vec<(usize, [Rational; 2])> = Vec::new();
+    let mut all = Vec::new();
+    for (k, output) in bind.outputs.iter().enumerate() {
+        if let Some((_, found)) = known.iter().find(|(other, _)| other == output) {
+            all.push(found.clone());
+            continue;
+        }
+        let share = work.left() / (8 * (bind.outputs.len() - k) as u64);
+        let absolute = Absolute::new(&mut exact, *output, &inputs.points, MOST_SIGNED, work)?;
+        let bounded = refined(&inputs, share, work, &mut |cell, work| {
+            absolute.on(&mut exact, cell, work).ok_or(Lack::Here)
+        })?;
+        let sizes =
+            refined(&inputs, share, work, &mut |cell, work| absolute.size_on(cell, work).ok_or(Lack::Here))?;
+        let found = [bounded, sizes].map(|cells| {
+            let mut largest = Rational::ZERO;
+            for (bound, part) in cells {
+                parts.push(Part { own: Some(bound.clone()), ..part });
+                largest = largest.max(bound);
+            }
+            largest
+        });
+        known.push((*output, found.clone()));
+        all.push(found);
+    }
+    Some(all)
+}
+
+/// κ: the relative error in u of the point of a net; with the parts that it follows from.
+fn evaluation(
+    family: &Family,
+    steps: &Steps,
+    net: Vec<(Input, Poly, Rational)>,
+    parts: &mut Vec<Part>,
+    work: &mut Work,
+) -> Option<Rational> {
+    let inputs = Inputs { off: net, ..Inputs::of(family, 0) };
     let mut exact = Exact::new(steps, &inputs)?;
     let factors = factors_of_net(steps)?;
     let [whole] = &Cell::grid(&inputs.region, &[])[..] else { return None };
@@ -83,7 +109,8 @@ fn evaluation(family: &Family, steps: &Steps, parts: &mut Vec<Part>, work: &mut 
         rest: Rational::ZERO,
         own: Some(Rational::ZERO),
     });
-    let bound = value(&mut [OnSpan { exact, steps, inputs: &inputs }], 0, work)?;
+    let share = work.left() / 8;
+    let bound = value(&mut [OnSpan { exact, steps, inputs: &inputs }], 0, share, work)?;
     let Error::Relative(epsilons) = &bound.error else { return None };
     let kappa = epsilons * &Rational::from(2);
     parts.extend(bound.cells.into_iter().map(|part| Part { own: Some(kappa.clone()), ..part }));

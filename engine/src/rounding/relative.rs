@@ -14,6 +14,7 @@ use std::rc::Rc;
 use super::cell::Cell;
 use super::conditions::{Conditions, Shares, common_denominator, over};
 use super::exact::{Exact, Share};
+use super::refine::Lack;
 use super::{Part, least_multiple, rest};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
@@ -89,6 +90,11 @@ impl Relative {
         Some(Self { roundings, sums, value, shares: grouped })
     }
 
+    /// Why there is no bound on a cell: where the value changes its sign there is none.
+    pub(super) fn lack(&self, cell: &Cell, work: &mut Work) -> Lack {
+        if cell.has_both_signs(&self.value, work) == Some(true) { Lack::Everywhere } else { Lack::Here }
+    }
+
     /// The bound on a cell in u, and what it follows from; `None` if there is none.
     pub(super) fn on(&self, exact: &mut Exact<'_>, cell: &Cell, work: &mut Work) -> Option<(Rational, Part)> {
         let mut conditions = Conditions { cell, known: Vec::new() };
@@ -100,6 +106,7 @@ impl Relative {
                 sum = &sum + &conditions.size(&share.poly, &value, work)?.scale(&weight);
             }
         }
+        let (sum, value) = (cell.times_power(sum, work)?, cell.times_power(value, work)?);
         let first = cell.ratio(&sum, &value, work)?;
         let rest = self.higher(exact, &mut conditions, work)?;
         let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);

@@ -74,13 +74,14 @@ fn of(steps: &Steps, shape: Range) -> Vec<String> {
         region: Region { ranges: vec![(Var(0), shape), (Var(1), Range::unit())] },
         shapes: vec![Var(0)],
         coordinates: vec![Var(1)],
+        of_intervals: vec![Var(1)],
+        simplices: Vec::new(),
         points: Vec::new(),
-        ones: false,
         off: Vec::new(),
     };
     let mut spans = [OnSpan { exact: Exact::new(steps, &inputs).unwrap(), steps, inputs: &inputs }];
     let work = &mut Work::unlimited();
-    let bounds = (0..steps.outputs.len()).map(|k| value(&mut spans, k, work));
+    let bounds = (0..steps.outputs.len()).map(|k| value(&mut spans, k, u64::MAX, work));
     bounds.map(|bound| bound.unwrap().error.to_string()).collect()
 }
 

@@ -225,6 +225,59 @@ fn spans_have_bounds_in_common() {
     assert!(matches!(&parts[..], [Some(Error::Relative(bound)), _] if bound.to_f64() < 12.0), "{parts:?}");
 }
 
+/// Families that are not in the library: all functions and points have bounds, and no error is larger.
+#[test]
+fn other_families_are_within_their_bounds() {
+    let spec = "family Shape { domain 0 <= t <= 1; shape -2 <= a <= 1; shape -2 <= b <= 1; \
+                f[0] = (1 - t)^3*(1 - a*t/2); f[1] = t*(1 - t)^2*(3 + a*(1 - t)/2); \
+                f[2] = t^2*(1 - t)*(3 + b*t/2); f[3] = t^3*(1 - b*(1 - t)/2); } \
+                family Uneven { domain -1 <= t <= 3; shape 1/4 <= a <= 4, 1/4 <= b <= 4; \
+                let q = a*(3 - t)^2 + (3 - t)*(t + 1) + b*(t + 1)^2; \
+                f[0] = a*(3 - t)^2/q; f[1] = (3 - t)*(t + 1)/q; f[2] = b*(t + 1)^2/q; } \
+                family Triangle { domain triangle (u, v, w); shape -1 <= a <= 1; \
+                f[0] = u^2*(1 - a*(v + w)); f[1] = v*(3*v - 1)*(3*v - 2)/2; f[2] = 9*u*w*(3*u - 1)/2; } \
+                family Box { domain 0 <= x <= 1, -1 <= y <= 2; shape 0 <= k <= 3; \
+                f[0] = (1 - x)^2*(2 - y)*(1 + k*x*(y + 1)); f[1] = (x - 1/2)*(y - 1/2); }";
+    let library = Library::from_source(&Disk, &Prover, Source::text("others.basis", spec));
+    let random = &mut Random(11);
+    for item in library.items(Selected::EveryOrder) {
+        let Subject::Family(family) = &item.subject else { panic!("a family") };
+        let bounds: Vec<Option<Error>> =
+            rounding::values(family).unwrap().into_iter().map(|b| b.map(|b| b.error)).collect();
+        assert!(bounds.iter().all(Option::is_some), "{}: {bounds:?}", family.title());
+        let steps = FamilySteps::new(family).unwrap();
+        let none = vec![0; family.domain.len()];
+        let point = steps.curve(1).or_else(|| steps.patch(&none)).expect("a curve or a patch");
+        let on_points = steps.on_control_points(&point);
+        let of_point = [rounding::point(family).map(|bound| bound.error)];
+        assert!(of_point[0].is_some(), "{}", family.title());
+        for _ in 0..20 {
+            largest_ratio(family, &steps.values(), &bounds, random);
+            largest_ratio(family, &on_points, &of_point, random);
+        }
+    }
+}
+
+/// Work that one function needs is not taken from others, and bounds on simplices are for coordinates with the sum 1.
+#[test]
+fn every_function_of_an_element_has_a_small_bound() {
+    let largest = |spec: &str, name: &str| {
+        let (_, text) = basis_specs::SPECS.iter().find(|(other, _)| *other == spec).expect("a spec");
+        let library = Library::from_source(&Disk, &Prover, Source::text(format!("{spec}.basis"), text));
+        let items = library.items(Selected::EveryOrder);
+        let found = items.iter().find_map(|item| match &item.subject {
+            Subject::Family(family) if family.title() == name => Some(rounding::values(family)),
+            _ => None,
+        });
+        let bounds = found.flatten().expect("bounds");
+        let errors = bounds.into_iter().map(|bound| bound.expect("a bound").error.epsilons().to_f64());
+        errors.fold(0.0, f64::max)
+    };
+    assert!(largest("elements/boxes", "DouglasSantosSheenYe") < 14.0);
+    assert!(largest("elements/boxes", "Hexahedron20") < 12.0);
+    assert!(largest("lagrange", "TriangularLagrange(3)") < 9.0);
+}
+
 #[test]
 fn bounds_are_near_the_largest_errors() {
     let spec = "family Quadratic { domain 0 <= t <= 1; b[0] = (1 - t)^2; b[1] = 2*t*(1 - t); b[2] = t^2; }";

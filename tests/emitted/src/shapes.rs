@@ -325,9 +325,9 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for Bell<S> {
 ///
 /// for `u + v + w = 1`, all ≥ 0, `0 <= κ <= 2`.
 ///
-/// Rounding errors of the values, proved to be at most: `b[0,0,2], b[0,2,0], b[2,0,0]`: 2.51 ε of the value; `b[0,1,1], b[1,0,1], b[1,1,0]`: 1.01 ε of the value.
+/// Rounding errors of the values, proved to be at most: `b[0,0,2], b[0,2,0], b[2,0,0]`: 2.51 ε of the value; `b[0,1,1], b[1,0,1], b[1,1,0]`: 1.01 ε of the value, where the barycentric coordinates add up to 1.
 ///
-/// Rounding error of each component of a point of a patch, binding included, proved to be at most: 4.27 ε times the largest absolute value of that component of a control point, where the barycentric coordinates add up to 1.
+/// Rounding error of each component of a point of a patch, binding included, proved to be at most: 3.72 ε times the largest absolute value of that component of a control point, where the barycentric coordinates add up to 1.
 ///
 /// # Claims
 ///
@@ -449,7 +449,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::SimplexBasis for Tent<S> {
         basis_runtime::Rounding::Relative(1.01),
         basis_runtime::Rounding::Relative(2.51),
     ];
-    const ROUNDING_POINT: Option<f64> = Some(4.27);
+    const ROUNDING_POINT: Option<f64> = Some(3.72);
     const DEGREE: usize = 2;
     const MULTINOMIALS: &'static [f64] = &v1::multinomials::<6>(3, 2);
     const ORDER: Option<usize> = Some(2);

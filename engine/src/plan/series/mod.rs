@@ -10,7 +10,7 @@ mod waves;
 use std::rc::Rc;
 
 use crate::algebra::poly::Poly;
-use crate::model::Family;
+use crate::model::{Family, Truncations};
 
 /// The shape parameter whose range is too long for [`in_polynomials`] on some span, or has no end, and a range that is not.
 pub(crate) fn longest(family: &Family) -> Option<(String, String)> {
@@ -22,9 +22,10 @@ pub(crate) fn longest(family: &Family) -> Option<(String, String)> {
 
 /// A family whose functions are polynomials on each of its spans, as near as floats can tell to those of a family in which
 /// the variable stands beside its sine or exponential; `None` where no way to these is known.
-pub(crate) fn in_polynomials(family: &Family) -> Option<Family> {
+pub(crate) fn in_polynomials(family: &Family, truncations: Truncations) -> Option<Family> {
     let on_span = |span: &Family| {
-        points::in_polynomials(span).or_else(|| Some(vec![Rc::new(parameter::in_polynomials(span)?)]))
+        points::in_polynomials(span, truncations)
+            .or_else(|| Some(vec![Rc::new(parameter::in_polynomials(span, truncations)?)]))
     };
     let pieces = if family.pieces.is_empty() {
         on_span(family)?

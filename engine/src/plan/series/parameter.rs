@@ -24,7 +24,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::angle::{Angle, Kind};
 use crate::model::bernstein::to_bernstein;
-use crate::model::{Family, Function, Truncation};
+use crate::model::{Family, Function, Truncation, Truncations};
 
 /// The total degrees in t and α at which the series may end, tried one after the other.
 const LAST: [usize; 4] = [32, 48, 64, 80];
@@ -40,10 +40,10 @@ const WORK: u64 = 20_000_000;
 
 /// The family on a span whose functions are polynomials as near as floats can tell; `None` where the domain does not
 /// end at multiples of one shape parameter with a bounded range, or a sine of t stands below a fraction line.
-pub(super) fn in_polynomials(family: &Family) -> Option<Family> {
+pub(super) fn in_polynomials(family: &Family, truncations: Truncations) -> Option<Family> {
     let source = Source::new(family)?;
     let quotients = family.functions.iter().map(|f| source.quotient(&f.value)).collect::<Option<Vec<_>>>()?;
-    LAST.into_iter().find_map(|last| source.of_degree(&quotients, last))
+    LAST.into_iter().find_map(|last| source.of_degree(&quotients, last, truncations))
 }
 
 /// The work after which [`longest`] tries no further end.
@@ -65,7 +65,7 @@ pub(super) fn longest(family: &Family) -> Option<(String, String)> {
         let (found, done) = basis_prover::measured(&mut || {
             let quotients = family.functions.iter().map(|f| source.quotient(&f.value));
             let quotients = quotients.collect::<Option<Vec<_>>>()?;
-            LAST.into_iter().find_map(|terms| source.of_degree(&quotients, terms))
+            LAST.into_iter().find_map(|terms| source.of_degree(&quotients, terms, Truncations::LeftOut))
         });
         units += done;
         found?;
@@ -178,7 +178,7 @@ impl<'f> Source<'f> {
     }
 
     /// The family with series up to a total degree; `None` if they do not fall fast enough.
-    fn of_degree(&self, quotients: &[Sums], last: usize) -> Option<Family> {
+    fn of_degree(&self, quotients: &[Sums], last: usize, asked: Truncations) -> Option<Family> {
         let family = self.family;
         let [low, high] = &self.slopes;
         let place = &Poly::constant(low.clone()) + &Poly::var(self.angle.var).scale(&(high - low));
@@ -225,12 +225,12 @@ impl<'f> Source<'f> {
             let (denom, _, below) = polynomial(below)?;
             let value = Fraction::normalized(&numer, &denom)?;
             let unit = self.largest.pow(common as u32).recip()?;
-            let ends = if cfg!(any(test, feature = "rounding")) && self.vanishes(&f.value, ends) == Some(true)
-            {
-                ends
-            } else {
-                [0, 0]
-            };
+            functions.push(Function { value, ..f.clone() });
+            if asked == Truncations::LeftOut {
+                truncations.push(None);
+                continue;
+            }
+            let ends = if self.vanishes(&f.value, ends) == Some(true) { ends } else { [0, 0] };
             let place = &place;
             let mut whole = |p: &Poly, dropped: Option<Rational>, powers, ends| {
                 Some(&dropped? + &(&self.beyond(p, powers, last, ends, place, &mut waves)? * &unit))
@@ -244,7 +244,6 @@ impl<'f> Source<'f> {
                 ends,
                 divisor: denom,
             }));
-            functions.push(Function { value, ..f.clone() });
         }
         let truncations = Some(truncations);
         let mut domain = family.domain.clone();

@@ -21,7 +21,7 @@ use crate::algebra::work::Work;
 #[cfg(any(test, feature = "rounding"))]
 use crate::model::Truncation;
 use crate::model::angle::{Analytic, Angle, Kind};
-use crate::model::{Family, Function};
+use crate::model::{Family, Function, Truncations};
 
 /// The highest power of a series.
 const LAST: usize = 30;
@@ -47,7 +47,7 @@ type Series = Vec<Poly>;
 /// The family on a span as families on several spans whose functions are polynomials; `None` where the ends of the span
 /// are parameters, or a shape parameter stands below a fraction line, or the functions have no power series of that
 /// kind.
-pub(super) fn in_polynomials(family: &Family) -> Option<Vec<Rc<Family>>> {
+pub(super) fn in_polynomials(family: &Family, truncations: Truncations) -> Option<Vec<Rc<Family>>> {
     let (var, ..) = family.interval()?;
     let angle = family.analytic.angle(var).filter(|a| a.kind != Kind::Linear)?;
     if family.analytic.angles.len() > 1 {
@@ -55,7 +55,7 @@ pub(super) fn in_polynomials(family: &Family) -> Option<Vec<Rc<Family>>> {
     }
     let numbers = Numbers::new(&family.analytic)?;
     let ends = [numbers.of(&angle.limits[0])?, numbers.of(&angle.limits[1])?];
-    let source = Source { family, angle, numbers };
+    let source = Source { family, angle, numbers, truncations };
     SPANS.into_iter().find_map(|count| source.on_spans(&ends, count))
 }
 
@@ -128,6 +128,7 @@ struct Source<'f> {
     family: &'f Family,
     angle: &'f Angle,
     numbers: Numbers,
+    truncations: Truncations,
 }
 
 /// A place between two spans.
@@ -201,10 +202,12 @@ impl Source<'_> {
         let place = if from_above { &Poly::one() - &y } else { y };
         let (mut functions, mut truncations) = (Vec::new(), Vec::new());
         #[cfg(any(test, feature = "rounding"))]
-        let residual = {
-            let [first, last] = &ends;
-            Residual::new(family, self.angle, if from_above { [last, first] } else { [first, last] })
-        };
+        let residual = (self.truncations == Truncations::Found)
+            .then(|| {
+                let [first, last] = &ends;
+                Residual::new(family, self.angle, if from_above { [last, first] } else { [first, last] })
+            })
+            .flatten();
         for f in &family.functions {
             let mut series = self.series(&f.value, &local)?;
             let zeros = match exact {

@@ -69,9 +69,6 @@ impl Source<'_> {
         place: &Poly,
         known: &mut Vec<Rc<Waves>>,
     ) -> Option<Rational> {
-        if !cfg!(any(test, feature = "rounding")) {
-            return None;
-        }
         let rest = self.rest(p, powers, last, ends)?;
         if rest < Rational::from(2).pow(TINY).recip()? {
             return Some(rest);
