@@ -106,8 +106,9 @@ pub trait ProductBasis: Copy + PartialEq + Debug {
     /// The name of the family in its spec, with its order.
     const NAME: &'static str;
 
-    /// The proved bounds of the rounding errors of [`values`](Self::values), one for each function, where the barycentric
-    /// coordinates add up to 1; of families that were written by hand, and without the feature `rounding`, there are none.
+    /// The proved bounds of the rounding errors of [`values`](Self::values), one for each function, where the
+    /// barycentric coordinates add up to 1; of families that were written by hand, and without the feature `rounding`,
+    /// there are none.
     const ROUNDING: &'static [crate::Rounding] = &[];
 
     /// A proved bound of the rounding error of each component of a point of a patch, binding included, in ε times the

@@ -87,8 +87,8 @@ pub struct Truncation {
     pub divisor: Poly,
 }
 
-/// Whether it is found how far polynomials are from the functions in whose place they are evaluated: only bounds of rounding
-/// errors need it.
+/// Whether it is found how far polynomials are from the functions in whose place they are evaluated: only bounds of
+/// rounding errors need it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Truncations {
     /// It is found.

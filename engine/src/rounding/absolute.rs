@@ -167,8 +167,8 @@ impl Absolute {
     }
 }
 
-/// A bound where the shares of all steps take too much work, by counting: a sum of products with at most d factors 1 + δ, whose
-/// absolute values add up to at most A, is off by at most A((1 + u)ᵈ − 1).
+/// A bound where the shares of all steps take too much work, by counting: a sum of products with at most d factors
+/// 1 + δ, whose absolute values add up to at most A, is off by at most A((1 + u)ᵈ − 1).
 pub(super) fn counted(
     exact: &mut Exact<'_>,
     output: usize,

@@ -53,8 +53,8 @@ impl Cell {
 
     /// The same cell, with comparisons of polynomials of a higher degree; `None` where there are no simplices.
     ///
-    /// On a simplex the coefficients of homogeneous polynomials approach their values when these are multiplied with powers of
-    /// the sum of the coordinates.
+    /// On a simplex the coefficients of homogeneous polynomials approach their values when these are multiplied with
+    /// powers of the sum of the coordinates.
     pub(super) fn raised(&self) -> Option<Self> {
         let Self { domain, simplices, power } = self;
         (!simplices.is_empty()).then(|| Self {
@@ -74,8 +74,8 @@ impl Cell {
         Some(&p * &factor)
     }
 
-    /// A polynomial times powers of the sums of coordinates, so that it has the degree of some others in those of each simplex, if
-    /// these are homogeneous of one degree.
+    /// A polynomial times powers of the sums of coordinates, so that it has the degree of some others in those of each
+    /// simplex, if these are homogeneous of one degree.
     pub(super) fn of_degree(&self, p: &Poly, others: &mut dyn Iterator<Item = &Poly>) -> Poly {
         let mut all = others.filter(|other| !other.is_zero()).collect::<Vec<_>>();
         all.push(p);
@@ -90,8 +90,8 @@ impl Cell {
         })
     }
 
-    /// Both halves along a variable: a range without ends is cut at 0, one with one end as far from it as that is from 0, but
-    /// by 1 at least.
+    /// Both halves along a variable: a range without ends is cut at 0, one with one end as far from it as that is from
+    /// 0, but by 1 at least.
     pub(super) fn halves(&self, var: Var) -> Option<[Self; 2]> {
         let region = &self.domain.region;
         let range = region.range(var);

@@ -11,8 +11,8 @@
 //!
 //! What is of higher order in u is bounded by a number that counts roundings, with u = 2⁻²⁴, that of `f32`; file
 //! `rest`. Steps that do not round are left out: inputs, numbers that are floats, negation, products with powers of
-//! two, and differences a − b with b/2 ≤ a ≤ 2b (Sterbenz). The domain is cut into cells for these, and where a bound is
-//! the largest; file `refine`.
+//! two, and differences a − b with b/2 ≤ a ≤ 2b (Sterbenz). The domain is cut into cells for these, and where a bound
+//! is the largest; file `refine`.
 //!
 //! A value that is proved to be nonnegative may be cut off at 0, which changes no error for the worse: the exact value
 //! is not on the other side. So its bound is that of what is cut off.
@@ -206,8 +206,8 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
         let (count, whole) = (family.functions.len(), work.left());
         let mut bounds: Vec<Option<Bound>> = vec![None; count];
         let steps: u64 = exact.iter().map(|span| span.steps.steps.len() as u64).sum();
-        // A hard function takes at most a quarter of the work, or its part of what is left for it and those after it; what is
-        // left by all is for those without a bound.
+        // A hard function takes at most a quarter of the work, or its part of what is left for it and those after it;
+        // what is left by all is for those without a bound.
         for most in [whole / 4, 0] {
             for k in 0..count {
                 if bounds[k].is_some() {
@@ -282,8 +282,9 @@ pub fn point(family: &Family) -> Option<Bound> {
     })
 }
 
-/// Bounds of the error of steps that are linear in control points, with a share of the work: with the signs of the points that are
-/// the worst for each step by itself, and, if there are few points, with those that are the worst for all of them.
+/// Bounds of the error of steps that are linear in control points, with a share of the work: with the signs of the
+/// points that are the worst for each step by itself, and, if there are few points, with those that are the worst for
+/// all of them.
 fn of_points(
     steps: &Steps,
     inputs: &Inputs,

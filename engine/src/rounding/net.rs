@@ -1,11 +1,12 @@
 //! Bounds of the errors of points of patches, in two stages: the Bernstein net that binding control points gives, and the
 //! point of the net.
 //!
-//! With M the largest |Pₖ|, each element of the net is Cᵣ = Σₖ wᵣₖ Pₖ, |Cᵣ| ≤ Λ M, and is computed with an error of at most
-//! bᵣ u M. The point V(C) = Σᵣ Bᵣ Cᵣ is computed from the net by sums and by products with nonnegative factors only: it is a sum
-//! of terms w·Cᵣ, w ≥ 0, that roundings multiply by products of factors 1 + δ. These are farthest from 1 where all roundings go
-//! up, and there the error for a net whose elements are all Λ M, off by bᵣ u M, is the sum of what they add. If that error is at
-//! most κ u, relative to Λ M V(1), V(1) = Σ Bᵣ, whatever the roundings are, the error for any net is at most
+//! With M the largest |Pₖ|, each element of the net is Cᵣ = Σₖ wᵣₖ Pₖ, |Cᵣ| ≤ Λ M, and is computed with an error of at
+//! most bᵣ u M. The point V(C) = Σᵣ Bᵣ Cᵣ is computed from the net by sums and by products with nonnegative factors
+//! only: it is a sum of terms w·Cᵣ, w ≥ 0, that roundings multiply by products of factors 1 + δ. These are farthest
+//! from 1 where all roundings go up, and there the error for a net whose elements are all Λ M, off by bᵣ u M, is the
+//! sum of what they add. If that error is at most κ u, relative to Λ M V(1), V(1) = Σ Bᵣ, whatever the roundings are,
+//! the error for any net is at most
 //!
 //! κ u Λ M Σ Bᵣ.
 //!

@@ -1,7 +1,7 @@
 //! Cells that are cut where a bound is the largest.
 //!
-//! A bound on the whole domain is the largest of those on cells, so that only the cell with the largest one is worth a cut:
-//! in halves, along the variable that helps. On one without a bound any cut may help.
+//! A bound on the whole domain is the largest of those on cells, so that only the cell with the largest one is worth a
+//! cut: in halves, along the variable that helps. On one without a bound any cut may help.
 
 use super::cell::Cell;
 use super::{Inputs, Part, Parts};
@@ -54,8 +54,8 @@ impl Leaf {
         self.found.as_ref().ok().map(|(bound, _)| bound)
     }
 
-    /// Both halves along a variable, with bounds of at most so many u, if there has to be one; `None` where there are none or
-    /// the work is not enough for them.
+    /// Both halves along a variable, with bounds of at most so many u, if there has to be one; `None` where there are
+    /// none or the work is not enough for them.
     fn cut(
         &self,
         var: Var,
@@ -107,8 +107,8 @@ impl Leaf {
     }
 }
 
-/// The bounds on cells of the ranges of all inputs; `None` if one of the cells has none. So much of the work may be spent on
-/// smaller bounds, and all of it on one for each cell.
+/// The bounds on cells of the ranges of all inputs; `None` if one of the cells has none. So much of the work may be
+/// spent on smaller bounds, and all of it on one for each cell.
 pub(super) fn refined(inputs: &Inputs, share: u64, work: &mut Work, on: &mut OnCell<'_>) -> Option<Parts> {
     // On simplices everything is homogeneous, and a cell next to 0 like all of them.
     let along = [&inputs.of_intervals[..], &inputs.shapes].concat();
