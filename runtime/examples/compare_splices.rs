@@ -86,7 +86,7 @@ fn main() {
             match result {
                 Ok(s) => println!(
                     "| {name} | {method} | {} | {} | {:.1e} | {:.1e} | {:.4} | {time:.2} ms |",
-                    s.spans, s.rounds, s.measure.gap, s.measure.angle, s.change
+                    s.spans, s.rounds, s.joint.gap, s.joint.angle, s.change
                 ),
                 Err(SpliceError::NotReached { achieved, spans, .. }) => println!(
                     "| {name} | {method} | not with {spans} | | {:.1e} | {:.1e} | | {time:.0} ms |",

@@ -76,7 +76,7 @@ const BLOCKS: [Block; 4] = [
             let left = patch(KnotVector::uniform(3, 4)?, -1.0)?;
             let right = patch(KnotVector::uniform(3, 2)?, 0.0)?;",
         after: "
-            assert!(joined.measure.gap <= 1e-5 && joined.measure.angle <= 1e-4);",
+            assert!(joined.joint.gap <= 1e-5 && joined.joint.angle <= 1e-4);",
     },
 ];
 

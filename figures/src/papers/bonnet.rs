@@ -4,7 +4,7 @@
 use std::error::Error;
 
 use basis_runtime::bspline::{
-    BSplineSurface, Edge, EdgePair, KnotVector, Net, PointConstraint, SpliceOptions, measure_joint, splice,
+    BSplineSurface, Edge, EdgePair, KnotVector, Net, PointConstraint, SpliceOptions, splice,
 };
 
 type Point3d = [f64; 3];
@@ -56,7 +56,7 @@ pub(crate) fn bonnet() -> Result<Bonnet, Box<dyn Error>> {
 
     let right = patch(&across, &fine, 1.0)?;
     let left = splice(&patch(&across, &coarse, -1.0)?, &right, joint, &options)?.surface;
-    let first = measure_joint(&left, &right, joint)?;
+    let first = left.joint_bounds(joint, &right)?;
 
     // A power dome: four points near the centre line, lifted.
     let lifted = [(0.24, 0.035), (0.42, 0.06), (0.6, 0.06), (0.78, 0.03)];
@@ -67,13 +67,13 @@ pub(crate) fn bonnet() -> Result<Bonnet, Box<dyn Error>> {
     let at = wanted.map(|(at, point)| PointConstraint::At(at, point));
     // The outer half keeps its place.
     let deformed = right.pass_through_holding(&at, |row, _| row >= 4)?;
-    let moved = measure_joint(&left, &deformed.surface, joint)?;
+    let moved = left.joint_bounds(joint, &deformed.surface)?;
     let follows = splice(&left, &deformed.surface, joint, &options)?;
 
     let constraints = wanted.map(|(_, point)| point);
     let facts = vec![
-        ("gap", follows.measure.gap),
-        ("angle", follows.measure.angle),
+        ("gap", follows.joint.gap),
+        ("angle", follows.joint.angle),
         ("gap before", first.gap),
         ("angle before", first.angle),
         ("gap without splicing", moved.gap),

@@ -17,7 +17,7 @@
 //! | surfaces of revolution | [`NurbsSurface::revolved`]; `try_from` of a [`SurfaceOfRevolution`](crate::SurfaceOfRevolution) |
 //! | the nearest point | [`BSplineSurface::nearest`], [`ParametricCurve::nearest`](crate::ParametricCurve::nearest) |
 //! | a surface through given points | [`BSplineSurface::pass_through`] |
-//! | a joint of two surfaces with the same tangent planes or curvatures, whatever their knots and degrees | [`splice`], [`measure_joint`] |
+//! | a joint of two surfaces with the same tangent planes or curvatures, whatever their knots and degrees | [`splice`], [`BSplineSurface::joint_bounds`] |
 //! | neighbours that follow a deformed patch | [`Network`] |
 //!
 //! All of them stand over [`KnotVector`]s, which are validated when they are made; after that nothing can fail for
@@ -73,8 +73,7 @@ pub use net::Net;
 pub use network::{FollowOptions, Followed, Network, NetworkError, Seam};
 pub use nurbs::{Homogeneous, NurbsCurve, NurbsSurface};
 pub use splice::{
-    Continuity, EdgeKnots, JointMeasure, Method, SecondRow, Splice, SpliceError, SpliceOptions,
-    measure_joint, splice,
+    Continuity, EdgeKnots, JointBounds, Method, SecondRow, Splice, SpliceError, SpliceOptions, splice,
 };
 pub use surface::{BSplineSurface, BezierPatch};
 

@@ -1,10 +1,10 @@
 //! Splicing: all edges, orientations and methods; tolerances measured independently; what is refused.
 
+use basis_runtime::Surface;
 use basis_runtime::bspline::{
     BSplineSurface, Continuity, Direction, Edge, EdgeKnots, EdgePair, KnotVector, Method, Net, Orientation,
-    SecondRow, SpliceError, SpliceOptions, measure_joint, splice,
+    SecondRow, SpliceError, SpliceOptions, splice,
 };
-use basis_runtime::edge_continuity;
 use proptest::prelude::*;
 
 #[cfg(feature = "nalgebra")]
@@ -220,8 +220,8 @@ fn different_domains_and_single_precision() {
     let joint = EdgePair::nearest(&left, Edge::UEnd, &right, Edge::UStart);
     for options in methods() {
         let found = splice(&left, &right, joint, &options).unwrap();
-        assert!(found.measure.gap <= options.gap && found.measure.angle <= options.angle);
-        assert_eq!(found.measure, measure_joint(&found.surface, &right, joint).unwrap());
+        assert!(found.joint.gap <= options.gap && found.joint.angle <= options.angle);
+        assert_eq!(found.joint, found.surface.joint_bounds(joint, &right).unwrap());
     }
     // A tolerance that single precision cannot meet.
     let options = SpliceOptions::default().gap(1e-12);
@@ -240,7 +240,7 @@ fn positions_only() {
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!(independent(&found.surface, &right, joint).0 <= options.gap);
         // Tangent planes are not touched on purpose.
-        assert!(found.measure.angle > 1e-3);
+        assert!(found.joint.angle > 1e-3);
     }
 }
 
@@ -321,7 +321,7 @@ fn surfaces_never_fold_back() {
     let lower = sheet(3, 5, 0.0, [0.0, 0.0, 3.0, 0.4]);
     let upper = sheet(3, 6, 0.0, [0.0, 0.0, 3.2, 0.3]);
     let joint = EdgePair::along(Edge::UStart, Edge::UStart);
-    let before = measure_joint(&lower, &upper, joint).unwrap();
+    let before = lower.joint_bounds(joint, &upper).unwrap();
     assert!(before.angle > 3.0); // the angle of a fold is near π, not near 0
     for method in [Method::LeastSquares, Method::Exact] {
         let options = SpliceOptions::default().method(method);
@@ -381,7 +381,7 @@ fn what_is_refused() {
     let error = splice(&left, &point, joint, &options).unwrap_err();
     assert!(matches!(error, SpliceError::Degenerate { .. }), "{error}");
     for [a, b] in [[&left, &point], [&turned(&point, Edge::UStart, Edge::UEnd, false), &left]] {
-        let error = measure_joint(a, b, joint).unwrap_err().to_string();
+        let error = a.joint_bounds(joint, b).unwrap_err().to_string();
         assert!(
             error.starts_with("a surface has no tangent plane at the parameter 0 of the joint"),
             "{error}"
@@ -426,7 +426,7 @@ proptest! {
                 // differences of numbers that nearly agree, and the bound of the angle holds for all that rounding can
                 // have done to them.
                 Err(e) if options.method == Method::Exact => {
-                    let flat = measure_joint(&left, &right, joint).is_err();
+                    let flat = left.joint_bounds(joint, &right).is_err();
                     prop_assert!(flat || least_normal(&right, joint) < 1e-3, "{} {}", e, least_normal(&right, joint));
                 }
                 Err(_) => {}
@@ -456,7 +456,7 @@ fn curvatures_are_continuous() {
                         let [p, q] = [&a, &found.surface].map(|surface| at_edge(surface, opposite, t, 1.0));
                         assert!(distance(p.0, q.0) < 1e-13 && distance(p.1, q.1) < 1e-11);
                     }
-                    let measured = edge_continuity(&found.surface, &b, joint, 129);
+                    let measured = found.surface.joint(joint, &b, 129);
                     assert!(measured.gap < 1e-13 && measured.angle < 1e-12, "{measured:?}");
                     (measured.curvature, found.change)
                 };

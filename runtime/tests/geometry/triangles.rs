@@ -3,7 +3,7 @@
 use basis_runtime::{
     Bezier, BoundedSurface, CurveError, Direction, Edge, EdgePair, Isocurve, MeetingKind, Orientation,
     ParametricCurve, Surface, SurfaceDomain, SurfacePiece, Tessellation, TriangleEdge, TriangleIndex,
-    TriangularBezier, edge_continuity,
+    TriangularBezier,
 };
 
 use crate::queries::distance;
@@ -256,11 +256,17 @@ fn are_meshed_with_other_surfaces() {
     }
     // Smooth across the diagonal, and from the triangle to the rectangle.
     let diagonal = EdgePair::nearest(&lower, Edge::VEnd, &upper, Edge::VEnd);
-    let joint = edge_continuity(&lower, &upper, diagonal, 17);
-    assert!(joint.order(1e-14, 1e-7, 1e-12) == Some(2) && joint.normals == Orientation::Same, "{joint:?}");
+    let joint = lower.joint(diagonal, &upper, 17);
+    assert!(
+        joint.geometric_order(1e-14, 1e-7, 1e-12) == Some(2) && joint.normals == Orientation::Same,
+        "{joint:?}"
+    );
     let side = EdgePair::nearest(&upper, Edge::UStart, &beside, Edge::UStart);
-    let joint = edge_continuity(&upper, &beside, side, 17);
-    assert!(joint.order(1e-14, 1e-7, 1e-12) == Some(2) && joint.normals == Orientation::Same, "{joint:?}");
+    let joint = upper.joint(side, &beside, 17);
+    assert!(
+        joint.geometric_order(1e-14, 1e-7, 1e-12) == Some(2) && joint.normals == Orientation::Same,
+        "{joint:?}"
+    );
     assert_eq!(joint.without_normal, 0);
 
     let mesh = Tessellation::new(1e-4).unwrap().with(&lower).with(&upper).with(&beside).mesh().unwrap();

@@ -2,9 +2,9 @@
 
 use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, NurbsSurface};
 use basis_runtime::{
-    BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, Isocurve, ParametricCurve, Path,
-    PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution, TensorSurface,
-    Tessellation, TriangularBezier,
+    BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, EdgePair, Isocurve, ParametricCurve,
+    Path, PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution,
+    TensorSurface, Tessellation, TriangularBezier,
 };
 
 #[cfg(feature = "macros")]
@@ -128,7 +128,7 @@ macro_rules! ask_surface {
         let mut names = ask! { surface =>
             domain(); eval(0.3, 0.4); eval_checked(0.3, 0.4); eval_clamped(0.3, 0.4); eval_grid(&[0.1], &[0.2], &mut [[0.0; 3]; 1]); partial(0.3, 0.4, [1, 1]);
             partials_into(0.3, 0.4, 2, &mut [[0.0; 3]; 4]); normal(0.3, 0.4); curvature(0.3, 0.4); pieces();
-            control_box(); bounding_box(); area(1e-3); nearest([0.0; 3], 1e-3);
+            control_box(); bounding_box(); area(1e-3); nearest([0.0; 3], 1e-3); joint(ACROSS, &plane_patch(), 3);
             ray_intersections([0.0; 3], [0.0, 0.0, 1.0], 1e-3); line_intersections([0.0; 3], [0.0, 0.0, 1.0], 1e-3);
         };
         let _ = Tessellation::new(0.5).unwrap().with(&surface).mesh();
@@ -146,8 +146,11 @@ macro_rules! ask_surface {
 /// A right angle about the third axis, in rows.
 const TURN: [[f64; 3]; 3] = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 
+/// An edge across which a surface can be continued.
+const ACROSS: EdgePair = EdgePair::along(Edge::UEnd, Edge::UStart);
+
 /// The queries that are neither of a trait.
-const PARTS: [&str; 6] = ["split", "subpatch", "reversed", "with", "map", "transform"];
+const PARTS: [&str; 7] = ["split", "subpatch", "reversed", "with", "map", "transform", "joint_bounds"];
 
 fn plane_patch() -> BSplineSurface<[f64; 3]> {
     BSplineSurface::from_bezier(Net::from_fn(2, 2, |i, j| [i as f64, j as f64, 0.5]).unwrap()).unwrap()
@@ -225,7 +228,11 @@ fn of_surfaces() {
         ("`TensorSurface`", ask_surface!(tensor)),
         ("`RationalSurface`", ask_surface!(rational)),
         ("`SurfaceOfRevolution`", ask_surface!(revolved)),
-        ("`BSplineSurface`", ask_surface!(&spline)),
+        ("`BSplineSurface`", {
+            let mut names = ask_surface!(&spline);
+            names.extend(ask! { &spline => joint_bounds(ACROSS, &spline); });
+            names
+        }),
         ("`NurbsSurface`", ask_surface!(&nurbs)),
         (
             "`TriangularPatch`",

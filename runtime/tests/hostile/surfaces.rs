@@ -3,7 +3,7 @@
 use basis_runtime::{
     BoundedSurface, Contact, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, Orientation, ParametricCurve,
     RationalSurface, Surface, SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation,
-    Vertex, basis, edge_continuity, half_turn_parameter,
+    Vertex, basis, half_turn_parameter,
 };
 
 use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit, pair};
@@ -151,24 +151,24 @@ const TENSOR: &[Case<Tensor>] = &[
             })
         })
     }),
-    ("edge_continuity", |s, a, b| {
+    ("joint", |s, a, b| {
         a != 0.0
             || [0, 1, 2, 5].into_iter().all(|samples| {
-                let joint = edge_continuity(s, s, pair(Edge::UEnd, Edge::VStart, b > 0.0), samples);
+                let joint = s.joint(pair(Edge::UEnd, Edge::VStart, b > 0.0), s, samples);
                 is_length(joint.gap) && is_length(joint.angle) && is_length(joint.curvature)
             })
     }),
     ("against", |s, _, _| {
         let pair = EdgePair::against(Edge::UEnd, Edge::VStart);
-        pair.orientation == Orientation::Opposite && is_length(edge_continuity(s, s, pair, 3).gap)
+        pair.orientation == Orientation::Opposite && is_length(s.joint(pair, s, 3).gap)
     }),
     ("swapped", |_, a, b| {
         let joint = pair(Edge::UEnd, Edge::VStart, a > b);
         joint.swapped() == pair(Edge::VStart, Edge::UEnd, a > b)
     }),
-    ("order", |s, a, b| {
-        edge_continuity(s, s, EdgePair::along(Edge::UEnd, Edge::UStart), 2)
-            .order(a, b, a)
+    ("geometric_order", |s, a, b| {
+        s.joint(EdgePair::along(Edge::UEnd, Edge::UStart), s, 2)
+            .geometric_order(a, b, a)
             .is_none_or(|k| k <= 2)
     }),
     ("on_edge", |s, a, _| {

@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-use super::JointMeasure;
+use super::JointBounds;
 use crate::bspline::KnotError;
 
 /// A joint that cannot be made, or not to the tolerances.
@@ -37,7 +37,7 @@ pub enum SpliceError {
     /// type.
     NotReached {
         /// The best figures that were achieved.
-        achieved: JointMeasure,
+        achieved: JointBounds,
         /// The number of spans along the edge with which they were achieved.
         spans: usize,
         /// The tolerance of the gap.

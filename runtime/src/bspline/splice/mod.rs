@@ -25,8 +25,8 @@ mod third;
 use alloc::vec::Vec;
 
 pub use error::SpliceError;
-pub use measure::JointMeasure;
-use measure::measure;
+pub use measure::JointBounds;
+use measure::{measure, measured};
 use strip::{Strip, Vector, along, place};
 
 use super::{BSplineSurface, Edge, EdgePair};
@@ -53,8 +53,8 @@ pub enum Continuity {
     /// The tangent planes are the same too.
     G1,
     /// The normal curvatures are the same too, in every direction, but for rounding errors: reflections have no kinks. Only
-    /// [`Method::Exact`] makes such joints; what is measured of them is gap and angle, and
-    /// [`edge_continuity`](crate::edge_continuity) measures curvatures at samples.
+    /// [`Method::Exact`] makes such joints; what is bounded of them is gap and angle, and
+    /// [`Surface::joint`](crate::Surface::joint) measures curvatures at samples.
     G2,
 }
 
@@ -161,8 +161,8 @@ crate::bspline::setters! {
 pub struct Splice<P: Point> {
     /// The adjusted surface.
     pub surface: BSplineSurface<P>,
-    /// Gap and angle of the result: bounds, within the tolerances.
-    pub measure: JointMeasure,
+    /// Bounds of gap and angle of the result, within the tolerances.
+    pub joint: JointBounds,
     /// The number of spans along the edge.
     pub spans: usize,
     /// How often knots were inserted and the rows solved for.
@@ -170,30 +170,6 @@ pub struct Splice<P: Point> {
     /// How far the rows moved, and so no point of the surface moved further: the larger distance of the edge and the
     /// one of the second row.
     pub change: f64,
-}
-
-/// The gap and the angle between two surfaces along a joint, whatever they are.
-///
-/// # Errors
-/// If a control point near the joint is not finite, a surface has one row only, or a tangent plane is missing.
-pub fn measure_joint<P: Point3>(
-    surface: &BSplineSurface<P>,
-    target: &BSplineSurface<P>,
-    joint: EdgePair,
-) -> Result<JointMeasure, SpliceError> {
-    measured(surface, target, joint, Continuity::G1)
-}
-
-fn measured<P: Point3>(
-    surface: &BSplineSurface<P>,
-    target: &BSplineSurface<P>,
-    joint: EdgePair,
-    continuity: Continuity,
-) -> Result<JointMeasure, SpliceError> {
-    let strip = Strip::new(&surface.clamped(), joint.first)?;
-    let other = Strip::new(&target.clamped(), joint.second)?;
-    let other = other.mapped::<P::Scalar>(strip.knots.domain(), joint.orientation, &strip.knots)?;
-    Ok(measure(&strip, &other, continuity)?.0)
 }
 
 /// Adjusts `surface` along an edge so that it joins `target`, which stays as it is.
@@ -206,7 +182,7 @@ fn measured<P: Point3>(
 /// use basis_runtime::bspline::{
 ///     BSplineSurface, Continuity, Edge, EdgePair, KnotVector, Net, SpliceOptions, splice,
 /// };
-/// use basis_runtime::edge_continuity;
+/// use basis_runtime::Surface;
 ///
 /// let sheet = |from: f64, spans: usize| {
 ///     let (u, v) = (KnotVector::uniform(3, 2)?, KnotVector::uniform(3, spans)?);
@@ -216,7 +192,7 @@ fn measured<P: Point3>(
 /// let (adjusted, target) = (sheet(-4.2, 2)?, sheet(0.0, 3)?);
 /// let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
 /// let joined = splice(&adjusted, &target, joint, &SpliceOptions::default().continuity(Continuity::G2))?;
-/// assert_eq!(edge_continuity(&joined.surface, &target, joint, 65).order(1e-9, 1e-9, 1e-9), Some(2));
+/// assert_eq!(joined.surface.joint(joint, &target, 65).geometric_order(1e-9, 1e-9, 1e-9), Some(2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -227,7 +203,7 @@ fn measured<P: Point3>(
 pub fn splice<P: Point3>(
     surface: &BSplineSurface<P>,
     target: &BSplineSurface<P>,
-    joint: EdgePair,
+    edges: EdgePair,
     options: &SpliceOptions,
 ) -> Result<Splice<P>, SpliceError> {
     for tolerance in [options.gap, options.angle] {
@@ -240,15 +216,15 @@ pub fn splice<P: Point3>(
     if has_curvatures && !exact {
         return Err(SpliceError::Curvatures);
     }
-    let surface = prepared(surface, joint.first, if has_curvatures { 3 } else { 2 })?;
-    let original = Strip::new(&surface, joint.first)?;
+    let surface = prepared(surface, edges.first, if has_curvatures { 3 } else { 2 })?;
+    let original = Strip::new(&surface, edges.first)?;
     let clamped = target.clamped();
-    let fixed = Strip::new(&clamped, joint.second)?;
+    let fixed = Strip::new(&clamped, edges.second)?;
     let mapped = |strip: &Strip| {
-        strip.mapped::<P::Scalar>(original.knots.domain(), joint.orientation, &original.knots)
+        strip.mapped::<P::Scalar>(original.knots.domain(), edges.orientation, &original.knots)
     };
     let seconds =
-        if has_curvatures { Some(mapped(&third::seconds(&clamped, joint.second, &fixed)?)?) } else { None };
+        if has_curvatures { Some(mapped(&third::seconds(&clamped, edges.second, &fixed)?)?) } else { None };
     let fixed = mapped(&fixed)?;
 
     let merge = exact || options.edge_knots == EdgeKnots::Merged;
@@ -266,18 +242,18 @@ pub fn splice<P: Point3>(
         fixed = fixed.inserted(&super::rows::missing(&fixed.knots, &base.knots)?)?;
     }
     // What the third row has to reach, and what it was.
-    let curved = match (seconds, third::Across::new(&surface, joint.first)) {
+    let curved = match (seconds, third::Across::new(&surface, edges.first)) {
         (Some(seconds), Some(across)) => {
             let seconds = seconds.elevated(degree)?;
             let missing = super::rows::missing(&seconds.knots, &base.knots)?;
-            let before = third::row(&surface, joint.first, 2, &original)?;
+            let before = third::row(&surface, edges.first, 2, &original)?;
             Some((across, seconds.inserted(&missing)?, before.elevated(degree)?.inserted(&inserted)?))
         }
         _ => None,
     };
     let angle = if options.continuity == Continuity::G0 { f64::INFINITY } else { options.angle };
 
-    let mut best: Option<(JointMeasure, usize)> = None;
+    let mut best: Option<(JointBounds, usize)> = None;
     let (mut rounds, mut best_round) = (0, 0);
     loop {
         rounds += 1;
@@ -285,7 +261,7 @@ pub fn splice<P: Point3>(
         let factor = solve(&mut strip, &fixed, options)?;
         let (found, pieces) = measure(&strip, &fixed, options.continuity)?;
         let spans = strip.spans();
-        let excess = |m: &JointMeasure| m.excess(options.gap, angle);
+        let excess = |m: &JointBounds| m.excess(options.gap, angle);
         if best.is_none_or(|(other, _)| excess(&found) < excess(&other)) {
             best = Some((found, spans));
             best_round = rounds;
@@ -297,16 +273,16 @@ pub fn splice<P: Point3>(
                 (Strip { edge: row.clone(), inner: row, ..before.clone() }, before)
             });
             let rows = [Some(&strip.edge), Some(&strip.inner), third.as_ref().map(|(row, _)| &row.edge)];
-            let result = written(&surface, joint.first, degree, &inserted, rows)?;
+            let result = written(&surface, edges.first, degree, &inserted, rows)?;
             // The figures of what is handed back, in its own precision.
-            let measure = measured(&result, target, joint, options.continuity)?;
-            if excess(&measure) > 1.0 {
-                best = Some((measure, spans));
+            let achieved = measured(&result, target, edges, options.continuity)?;
+            if excess(&achieved) > 1.0 {
+                best = Some((achieved, spans));
                 break;
             }
             let of_third = third.as_ref().map_or(0.0, |(row, before)| change(before, row));
             let change = change(&base, &strip).max(of_third);
-            return Ok(Splice { surface: result, measure, spans, rounds, change });
+            return Ok(Splice { surface: result, joint: achieved, spans, rounds, change });
         }
         let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, AIM * options.gap, AIM * angle);
         let stalled = rounds - best_round >= PATIENCE;

@@ -38,7 +38,7 @@ where
     /// ```
     /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-    /// use basis_runtime::{BernsteinBasis, Contact, Edge, EdgePair, TensorSurface, edge_continuity};
+    /// use basis_runtime::{BernsteinBasis, Contact, Edge, EdgePair, Surface, TensorSurface};
     ///
     /// fn net<const N: usize>(y: f64) -> [[[f64; 3]; N]; N] {
     ///     core::array::from_fn(|i| core::array::from_fn(|j| {
@@ -52,14 +52,14 @@ where
     /// let edges = EdgePair::along(Edge::VEnd, Edge::VStart);
     /// let contact = Contact::Curvature { f: 0.7, c: 0.0 };
     /// let next = first.continued(edges, contact, &TensorSurface::new(lambda, b?, net(3.5)))?;
-    /// let measured = edge_continuity(&first, &next, edges, 65);
-    /// assert_eq!(measured.order(1e-12, 1e-12, 1e-12), Some(2));
+    /// let joint = first.joint(edges, &next, 65);
+    /// assert_eq!(joint.geometric_order(1e-12, 1e-12, 1e-12), Some(2));
     ///
     /// // A Bézier surface of the same degree, across another edge, which runs the other way.
     /// let quartic = BernsteinBasis::<f64, 5>::new();
     /// let edges = EdgePair::against(Edge::VEnd, Edge::UStart);
     /// let next = first.continued(edges, contact, &TensorSurface::new(quartic, quartic, net(3.5)))?;
-    /// assert_eq!(edge_continuity(&first, &next, edges, 65).order(1e-12, 1e-12, 1e-12), Some(2));
+    /// assert_eq!(first.joint(edges, &next, 65).geometric_order(1e-12, 1e-12, 1e-12), Some(2));
     /// # Ok(())
     /// # }
     /// ```

@@ -4,6 +4,9 @@ mod edge;
 #[cfg(feature = "alloc")]
 mod join;
 mod join_error;
+mod joint;
 
-pub use edge::{Direction, Edge, EdgeContinuity, EdgePair, Orientation, edge_continuity};
+pub use edge::{Direction, Edge, EdgePair, Orientation};
 pub use join_error::JoinError;
+pub use joint::EdgeJoint;
+pub(super) use joint::measured;

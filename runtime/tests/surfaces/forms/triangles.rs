@@ -3,7 +3,7 @@
 use basis_runtime::{
     Edge, EdgePair, JoinError, Orientation, Surface, SurfaceDomain, Tessellation, TriangleContact,
     TriangleEdge, TriangleIndex, TriangularBernsteinBasis, TriangularBezier, TriangularBezierOf,
-    TriangularPatch, basis, edge_continuity,
+    TriangularPatch, basis,
 };
 
 use crate::random::Random;
@@ -202,7 +202,7 @@ fn are_continued() {
         }));
         let pair = EdgePair::nearest(&turned, Edge::UStart, &second, Edge::VEnd);
         assert_eq!(pair, EdgePair::against(Edge::UStart, Edge::VEnd));
-        let joint = edge_continuity(&turned, &second, pair, 33);
+        let joint = turned.joint(pair, &second, 33);
         assert!(joint.gap < 1e-11 && joint.angle < 1e-6 && joint.normals == Orientation::Same, "{joint:?}");
         assert!(joint.curvature > 1e-3);
 
@@ -211,8 +211,8 @@ fn are_continued() {
         let smooth = first
             .continued(edge, TriangleContact { order: 2, apex }, &TriangularPatch::new(basis, points))
             .unwrap();
-        let joint = edge_continuity(&turned, &smooth, pair, 33);
-        assert_eq!(joint.order(1e-11, 1e-6, 1e-4), Some(2), "{joint:?}");
+        let joint = turned.joint(pair, &smooth, 33);
+        assert_eq!(joint.geometric_order(1e-11, 1e-6, 1e-4), Some(2), "{joint:?}");
     }
 }
 
