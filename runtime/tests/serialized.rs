@@ -9,7 +9,7 @@ use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, ConstructionError,
     Continuity, Direction, EdgeKnots, FitError, FollowOptions, Followed, Homogeneous, JointBounds, KnotError,
     KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Seam,
-    SecondRow, Spacing, Splice, SpliceError, SpliceOptions, SplineError, splice,
+    SecondRow, Spacing, Splice, SpliceError, SpliceOptions, SplineError,
 };
 use basis_runtime::laws::{Checks, Law, Place, Violation};
 use basis_runtime::{
@@ -285,7 +285,8 @@ fn joints_and_networks_of_splines() {
     again((SecondRow::Kept, EdgeKnots::Own));
     again((Continuity::G0, Method::LeastSquares, Spacing::Chord, SpliceOptions::default()));
     let joint = EdgePair::along(Edge::UEnd, Edge::UEnd);
-    let mut joined = splice(&spline(), &spline(), joint, &SpliceOptions::default()).unwrap();
+    let mut joined =
+        spline().continued_within(joint.swapped(), &SpliceOptions::default(), &spline()).unwrap();
     (joined.surface, joined.joint, joined.change) = (spline(), read(measure), 0.5);
     again::<Splice<P>>(joined);
     again((PointConstraint::At([0.5, 0.25], [1.0, 0.0, 2.0]), PointConstraint::Nearest([1.0, 0.0, 2.0])));

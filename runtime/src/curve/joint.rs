@@ -3,8 +3,8 @@
 use crate::vector::{direction, distance, dot, length};
 use crate::{Basis, Curve, Point, Scalar};
 
-/// How the start of one curve continues the end of another, measured by [`Curve::joint`]. Along the edge of two surfaces
-/// the same figures are those of [`EdgeJoint`](crate::EdgeJoint).
+/// How the start of one curve continues the end of another, measured by [`Curve::joint`]. Along the edge of two
+/// surfaces the same figures are those of [`EdgeJoint`](crate::EdgeJoint).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -13,8 +13,8 @@ pub struct Joint<S> {
     pub gap: S,
     /// The angle between the tangents in radians, from 0 to π; NaN if a curve is a point.
     pub angle: S,
-    /// The length of the difference of the curvature vectors, which point to the centres of curvature, in the inverse of
-    /// the unit of the points; NaN where a velocity vanishes.
+    /// The length of the difference of the curvature vectors, which point to the centres of curvature, in the inverse
+    /// of the unit of the points; NaN where a velocity vanishes.
     pub curvature: S,
     /// The lengths of the differences of the first, second and third derivatives, each with respect to the parameter of
     /// its own curve.
@@ -40,8 +40,8 @@ impl<S: Scalar> Joint<S> {
     }
 }
 
-/// The order of a joint without a gap whose figures of the orders 1, 2, … are small enough. They are compared with `<=`,
-/// which is false of NaN.
+/// The order of a joint without a gap whose figures of the orders 1, 2, … are small enough. They are compared with
+/// `<=`, which is false of NaN.
 pub(crate) fn leading_order<const N: usize>(is_closed: bool, are_small: [bool; N]) -> Option<usize> {
     is_closed.then(|| are_small.into_iter().take_while(|&is_small| is_small).count())
 }

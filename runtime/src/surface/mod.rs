@@ -26,7 +26,11 @@ mod triangle;
 pub use area::Area;
 pub use curvature::Curvature;
 pub use domain::SurfaceDomain;
+#[cfg(feature = "bspline")]
+pub(crate) use edges::factor_of_weights;
 pub use edges::{Direction, Edge, EdgeJoint, EdgePair, JoinError, Orientation};
+#[cfg(feature = "alloc")]
+pub(crate) use edges::{beyond, possible, solved};
 #[cfg(feature = "geometry")]
 pub use isocurve::Isocurve;
 pub use parts::BezierPatchOf;

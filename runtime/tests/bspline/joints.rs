@@ -2,7 +2,7 @@
 //! attained but for one percent.
 
 use basis_runtime::bspline::{
-    BSplineSurface, Direction, Edge, EdgePair, KnotVector, Method, Net, Orientation, SpliceOptions, splice,
+    BSplineSurface, Direction, Edge, EdgePair, KnotVector, Method, Net, Orientation, SpliceOptions,
 };
 use proptest::prelude::*;
 
@@ -87,7 +87,7 @@ proptest! {
         let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
         let tolerance = 10.0_f64.powf(tolerance);
         let options = SpliceOptions::default().method(Method::LeastSquares).angle(tolerance).gap(1.0);
-        if let Ok(found) = splice(&a, &b, joint, &options) {
+        if let Ok(found) = b.continued_within(joint.swapped(), &options, &a) {
             let [gap, angle, _] = sampled(&found.surface, &b, joint, 100);
             let measure = found.joint;
             prop_assert!(gap <= measure.gap && angle <= measure.angle && measure.angle <= tolerance, "{:?} {} {}", measure, gap, angle);

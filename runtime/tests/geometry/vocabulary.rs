@@ -4,7 +4,7 @@ use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, Nurb
 use basis_runtime::{
     BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, EdgePair, Isocurve, ParametricCurve,
     Path, PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution,
-    TensorSurface, Tessellation, TriangularBezier,
+    TensorSurface, Tessellation, TriangleContact, TriangleEdge, TriangularBezier,
 };
 
 #[cfg(feature = "macros")]
@@ -123,6 +123,12 @@ macro_rules! ask_curve {
 
 /// The queries of surfaces.
 macro_rules! ask_surface {
+    // Of rows of control points: a surface of the type of this one, of which it may be a reference.
+    ($surface:expr; continues $next:expr) => {{
+        let mut names = ask_surface!($surface);
+        names.extend(ask! { $surface => continued(ACROSS, Contact::Tangent { f: 1.0 }, $next); });
+        names
+    }};
     ($surface:expr, $($more:tt)*) => {{
         let surface = $surface;
         let mut names = ask! { surface =>
@@ -150,7 +156,8 @@ const TURN: [[f64; 3]; 3] = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
 const ACROSS: EdgePair = EdgePair::along(Edge::UEnd, Edge::UStart);
 
 /// The queries that are neither of a trait.
-const PARTS: [&str; 7] = ["split", "subpatch", "reversed", "with", "map", "transform", "joint_bounds"];
+const PARTS: [&str; 8] =
+    ["split", "subpatch", "reversed", "with", "map", "transform", "joint_bounds", "continued"];
 
 fn plane_patch() -> BSplineSurface<[f64; 3]> {
     BSplineSurface::from_bezier(Net::from_fn(2, 2, |i, j| [i as f64, j as f64, 0.5]).unwrap()).unwrap()
@@ -225,19 +232,20 @@ fn of_surfaces() {
     #[cfg(not(feature = "macros"))]
     let sheet = ask_surface!(&spline);
     let asked = [
-        ("`TensorSurface`", ask_surface!(tensor)),
-        ("`RationalSurface`", ask_surface!(rational)),
-        ("`SurfaceOfRevolution`", ask_surface!(revolved)),
+        ("`TensorSurface`", ask_surface!(tensor; continues &tensor)),
+        ("`RationalSurface`", ask_surface!(rational; continues &rational)),
+        ("`SurfaceOfRevolution`", ask_surface!(revolved; continues &revolved)),
         ("`BSplineSurface`", {
-            let mut names = ask_surface!(&spline);
+            let mut names = ask_surface!(&spline; continues &spline);
             names.extend(ask! { &spline => joint_bounds(ACROSS, &spline); });
             names
         }),
-        ("`NurbsSurface`", ask_surface!(&nurbs)),
+        ("`NurbsSurface`", ask_surface!(&nurbs; continues &nurbs)),
         (
             "`TriangularPatch`",
             ask_surface!(triangle,
-                eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p); transform(&TURN);),
+                eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p); transform(&TURN);
+                continued(TriangleEdge::W, TriangleContact { order: 0, apex: [1.0, 1.0, -1.0] }, &triangle);),
         ),
         ("`BoxPatch`", sheet),
         ("dyn", {

@@ -4,10 +4,10 @@
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, Direction, Edge, EdgeKnots, EdgePair, FollowOptions, Homogeneous,
     KnotVector, Method, Net, Network, NurbsCurve, NurbsSurface, PointConstraint, SecondRow, Spacing,
-    SpliceOptions, parameters, splice,
+    SpliceOptions, parameters,
 };
 
-use basis_runtime::{ParametricCurve, Surface};
+use basis_runtime::{Contact, ParametricCurve, Surface};
 
 use crate::{Case, P, check, is_finite, is_length, is_nan, pair};
 
@@ -364,24 +364,35 @@ const SURFACE: &[Case<S>] = &[
         let joint = s.joint_bounds(EdgePair::along(Edge::UEnd, Edge::UStart), s);
         joint.map_or(true, |joint| joint.geometric_order(a, b).is_none_or(|k| k <= 1))
     }),
-    ("splice", |s, a, b| {
+    ("BSplineSurface::continued", |s, a, b| {
+        let joint = pair(Edge::UEnd, Edge::VStart, b > 0.0);
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|order| {
+            let contact =
+                if order == 2 { Contact::Curvature { f: a, c: b } } else { Contact::Scaled { order, f: a } };
+            s.continued(joint, contact, s).map_or(true, |next| order <= next.degrees()[1])
+        })
+    }),
+    ("BSplineSurface::continued_within", |s, a, b| {
         let joint = pair(Edge::UEnd, Edge::VStart, b > 0.0);
         [Method::LeastSquares, Method::Exact].into_iter().all(|method| {
             let options = SpliceOptions::default().method(method).gap(a).angle(b).spans(6);
-            splice(s, s, joint, &options).map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
+            s.continued_within(joint.swapped(), &options, s)
+                .map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
         })
     }),
     ("SpliceOptions::second_row", |s, a, b| {
         let joint = pair(Edge::UEnd, Edge::VStart, a > 0.0);
         let options = SpliceOptions::default().method(Method::LeastSquares).second_row(SecondRow::Kept);
         let options = options.gap(a).angle(b).spans(6);
-        splice(s, s, joint, &options).map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
+        s.continued_within(joint.swapped(), &options, s)
+            .map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
     }),
     ("SpliceOptions::edge_knots", |s, a, b| {
         let joint = pair(Edge::UEnd, Edge::VStart, a > 0.0);
         let options = SpliceOptions::default().method(Method::LeastSquares).edge_knots(EdgeKnots::Own);
         let options = options.gap(a).angle(b).spans(6);
-        splice(s, s, joint, &options).map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
+        s.continued_within(joint.swapped(), &options, s)
+            .map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
     }),
     ("Network::new", |s, _, _| Network::new(vec![s.clone()], Vec::new()).is_ok()),
     ("Network::grid", |s, _, _| {
@@ -430,6 +441,16 @@ const NURBS_SURFACE: &[Case<RationalSurface>] = &[
     ("NurbsSurface::map", |s, a, b| s.map(|p| [a, b, p[0]]).weights() == s.weights()),
     ("NurbsSurface::from_homogeneous", |s, _, _| {
         RationalSurface::from_homogeneous(s.homogeneous().clone()).is_ok()
+    }),
+    ("NurbsSurface::continued", |s, a, b| {
+        let joint = pair(Edge::UEnd, Edge::VStart, b > 0.0);
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|order| {
+            let contact =
+                if order == 2 { Contact::Curvature { f: a, c: b } } else { Contact::Scaled { order, f: a } };
+            s.continued(joint, contact, s).map_or(true, |next| {
+                order <= 3 && next.weights().as_slice().iter().all(|&w| w > 0.0 && w.is_finite())
+            })
+        })
     }),
     ("NurbsSurface::homogeneous", |s, _, _| s.homogeneous().degrees() == [2, 3]),
     ("NurbsSurface::degrees", |s, _, _| s.degrees() == [2, 3]),

@@ -226,6 +226,14 @@ const RATIONAL: &[Case<Rational>] = &[
     ("control_point", |s, _, _| {
         s.control_point(4, 0).is_none() && s.control_point(usize::MAX, usize::MAX).is_none()
     }),
+    ("continued", |s, a, b| {
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|order| {
+            let contact =
+                if order == 2 { Contact::Curvature { f: a, c: b } } else { Contact::Scaled { order, f: a } };
+            let next = s.continued(pair(Edge::UEnd, Edge::VStart, b > 0.0), contact, s);
+            next.map_or(true, |next| order <= 3 && next.control_point(9, 0).is_none())
+        })
+    }),
     ("control_box", |s, _, _| is_box(s.control_box())),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
 ];
@@ -244,6 +252,13 @@ const REVOLVED: &[Case<Revolved>] = &[
     ("transform", |s, a, b| {
         let image = s.transform(&[[a, 0.0, 0.0, b], [0.0, a, 0.0, 0.0], [0.0, 0.0, b, 0.0]]);
         image.map_or(true, |t| !a.is_nan() && !b.is_nan() && t.angle() == s.angle())
+    }),
+    ("continued", |s, a, b| {
+        Edge::ALL.into_iter().all(|edge| {
+            let contact = Contact::Curvature { f: a, c: b };
+            let next = s.continued(EdgePair::against(edge, Edge::UEnd), contact, s);
+            next.map_or(true, |next| !edge.runs_along_u() && next.angle() == s.angle())
+        })
     }),
     ("angle", |s, _, _| s.angle() == 4.0),
     ("generatrix", |s, _, _| s.generatrix().control_points().len() == 4),

@@ -13,9 +13,9 @@ use crate::{Point3, Scalar};
 /// How two B-spline surfaces meet along an edge, by [`BSplineSurface::joint_bounds`]: upper bounds of the figures of an
 /// [`EdgeJoint`](crate::EdgeJoint), which are proved for all parameters of the edge and not just for samples.
 ///
-/// They follow from the Bernstein coefficients of the difference of the edges and of the products of the normals, and are
-/// at most one percent above the largest value but for rounding errors: about a hundred of them are added, so an angle of
-/// zero is some `1e-13`. For degrees above 250 along the edge nothing better than the angle π is proved.
+/// They follow from the Bernstein coefficients of the difference of the edges and of the products of the normals, and
+/// are at most one percent above the largest value but for rounding errors: about a hundred of them are added, so an
+/// angle of zero is some `1e-13`. For degrees above 250 along the edge nothing better than the angle π is proved.
 ///
 /// Where a normal vanishes at a knot, as at a pole, its limit counts. Where one vanishes inside of a piece between two
 /// knots, which needs a cusp of the edge or directions that become parallel, the nearest 1e-4 of the piece have no
@@ -29,16 +29,16 @@ pub struct JointBounds {
     /// Where that distance occurs, up to one percent: the parameter of the first surface along its edge.
     pub gap_at: f64,
     /// Nowhere is the angle larger by which the surfaces do not continue each other, in radians: 0 where the joint is
-    /// smooth, π where one folds back on the other. A splice of [`Continuity::G0`](super::Continuity::G0) leaves out the
-    /// pieces without tangent planes.
+    /// smooth, π where one folds back on the other. A splice of [`Continuity::G0`](super::Continuity::G0) leaves out
+    /// the pieces without tangent planes.
     pub angle: f64,
     /// Where that angle occurs, up to one percent: the parameter of the first surface along its edge.
     pub angle_at: f64,
 }
 
 impl JointBounds {
-    /// The order of geometric continuity that is proved: 1 for G1, 0 for G0, or `None` if there may be a gap. Curvatures are
-    /// not bounded: [`Surface::joint`](crate::Surface::joint) measures them.
+    /// The order of geometric continuity that is proved: 1 for G1, 0 for G0, or `None` if there may be a gap.
+    /// Curvatures are not bounded: [`Surface::joint`](crate::Surface::joint) measures them.
     ///
     /// The tolerances are in the unit of length, and in radians.
     pub fn geometric_order(&self, gap: f64, angle: f64) -> Option<usize> {
@@ -52,8 +52,8 @@ impl JointBounds {
 }
 
 impl<P: Point3> BSplineSurface<P> {
-    /// Bounds of the gap and of the angle between this surface and `next` along an edge of each, for all parameters of the
-    /// edge, which correspond by the affine map.
+    /// Bounds of the gap and of the angle between this surface and `next` along an edge of each, for all parameters of
+    /// the edge, which correspond by the affine map.
     ///
     /// ```
     /// use basis_runtime::bspline::{BSplineSurface, Direction, Edge, EdgePair, KnotVector, Net};
@@ -67,9 +67,9 @@ impl<P: Point3> BSplineSurface<P> {
     /// ```
     ///
     /// # Errors
-    /// [`SpliceError::NotFinite`] if a control point near the edges is not finite, [`SpliceError::OneRow`] if a surface has
-    /// one row of control points only, [`SpliceError::Degenerate`] if a tangent plane is missing, [`SpliceError::Knots`] if
-    /// the knots come so near to each other that rounding makes them equal too often.
+    /// [`SpliceError::NotFinite`] if a control point near the edges is not finite, [`SpliceError::OneRow`] if a surface
+    /// has one row of control points only, [`SpliceError::Degenerate`] if a tangent plane is missing,
+    /// [`SpliceError::Knots`] if the knots come so near to each other that rounding makes them equal too often.
     pub fn joint_bounds(&self, edges: EdgePair, next: &Self) -> Result<JointBounds, SpliceError> {
         measured(self, next, edges, Continuity::G1)
     }

@@ -1,9 +1,9 @@
-//! Splicing: one surface is adjusted along an edge so that it joins another one smoothly.
+//! Splicing: one surface is adjusted along an edge so that it continues another one within tolerances.
 //!
-//! Two surfaces meet along an edge of each. The second one, the *target*, stays; of the first one the row of control
-//! points on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted along the
-//! edge. The knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one domain to
-//! the other.
+//! Two surfaces meet along an edge of each. The one that is continued, the *target*, stays; of the other one the row of
+//! control points on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted
+//! along the edge. The knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one
+//! domain to the other.
 //!
 //! - **G0**: both edges are the same curve.
 //! - **G1**: `α S_u + β T_w + γ T_t = 0` along the joint with `α` and `β` of opposite sign, where `u` leads out of the
@@ -52,8 +52,8 @@ pub enum Continuity {
     G0,
     /// The tangent planes are the same too.
     G1,
-    /// The normal curvatures are the same too, in every direction, but for rounding errors: reflections have no kinks. Only
-    /// [`Method::Exact`] makes such joints; what is bounded of them is gap and angle, and
+    /// The normal curvatures are the same too, in every direction, but for rounding errors: reflections have no kinks.
+    /// Only [`Method::Exact`] makes such joints; what is bounded of them is gap and angle, and
     /// [`Surface::joint`](crate::Surface::joint) measures curvatures at samples.
     G2,
 }
@@ -97,7 +97,8 @@ pub enum EdgeKnots {
     Own,
 }
 
-/// What a splice is to reach, and how: the defaults, and what is set otherwise.
+/// What a surface that continues another one is to reach, and how, [`BSplineSurface::continued_within`]: the defaults,
+/// and what is set otherwise.
 ///
 /// ```
 /// use basis_runtime::bspline::{Method, SpliceOptions};
@@ -153,15 +154,16 @@ crate::bspline::setters! {
     edge_knots: EdgeKnots, "With that degree and those knots along the edge to begin with.";
 }
 
-/// A surface that was joined to another one.
+/// A surface that continues another one, by [`BSplineSurface::continued_within`].
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 #[non_exhaustive]
 pub struct Splice<P: Point> {
-    /// The adjusted surface.
+    /// The surface that was moved.
     pub surface: BSplineSurface<P>,
-    /// Bounds of gap and angle of the result, within the tolerances.
+    /// Bounds of gap and angle, within the tolerances: the [`joint_bounds`](BSplineSurface::joint_bounds) of the
+    /// surface that is continued and this one.
     pub joint: JointBounds,
     /// The number of spans along the edge.
     pub spans: usize,
@@ -172,35 +174,50 @@ pub struct Splice<P: Point> {
     pub change: f64,
 }
 
-/// Adjusts `surface` along an edge so that it joins `target`, which stays as it is.
-///
-/// Only the two rows of control points next to the edge are changed, three for [`Continuity::G2`], over a net that is refined
-/// along the edge (and across it, if it has so few rows that the opposite edge and its tangent planes would move). For
-/// [`Continuity::G2`] the degree across the edge is at least 2.
-///
-/// ```
-/// use basis_runtime::bspline::{
-///     BSplineSurface, Continuity, Edge, EdgePair, KnotVector, Net, SpliceOptions, splice,
-/// };
-/// use basis_runtime::Surface;
-///
-/// let sheet = |from: f64, spans: usize| {
-///     let (u, v) = (KnotVector::uniform(3, 2)?, KnotVector::uniform(3, spans)?);
-///     let point = |i: usize, j: usize| [from + i as f64, j as f64 / (spans + 2) as f64, (i * j) as f64 / 8.0];
-///     BSplineSurface::new(u, v, Net::from_fn(5, spans + 3, point)?)
-/// };
-/// let (adjusted, target) = (sheet(-4.2, 2)?, sheet(0.0, 3)?);
-/// let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
-/// let joined = splice(&adjusted, &target, joint, &SpliceOptions::default().continuity(Continuity::G2))?;
-/// assert_eq!(joined.surface.joint(joint, &target, 65).geometric_order(1e-9, 1e-9, 1e-9), Some(2));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// [`SpliceError::Curvatures`] for [`Continuity::G2`] by another method than [`Method::Exact`];
-/// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what is
-/// wrong with the input.
-pub fn splice<P: Point3>(
+impl<P: Point3> BSplineSurface<P> {
+    /// The surface `next`, moved so that it continues this one across an edge of each, within the tolerances of gap and
+    /// angle: as [`continued`](Self::continued), with factors of the contact that are found, so that `next` changes
+    /// little.
+    ///
+    /// Of `next` only the two rows of control points next to the edge are changed, three for [`Continuity::G2`], over a
+    /// net that is refined along the edge (and across it, if it has so few rows that the opposite edge and its tangent
+    /// planes would move). For [`Continuity::G2`] the degree across the edge is at least 2.
+    ///
+    /// ```
+    /// use basis_runtime::bspline::{BSplineSurface, Continuity, KnotVector, Net, SpliceOptions};
+    /// use basis_runtime::{Edge, EdgePair, Surface};
+    ///
+    /// let sheet = |from: f64, spans: usize| {
+    ///     let (u, v) = (KnotVector::uniform(3, 2)?, KnotVector::uniform(3, spans)?);
+    ///     let point = |i: usize, j: usize| [from + i as f64, j as f64 / (spans + 2) as f64, (i * j) as f64 / 8.0];
+    ///     BSplineSurface::new(u, v, Net::from_fn(5, spans + 3, point)?)
+    /// };
+    /// let (first, draft) = (sheet(0.0, 3)?, sheet(-4.2, 2)?);
+    /// let edges = EdgePair::along(Edge::UStart, Edge::UEnd);
+    /// let next = first.continued_within(edges, &SpliceOptions::default().continuity(Continuity::G2), &draft)?.surface;
+    /// assert_eq!(first.joint(edges, &next, 65).geometric_order(1e-9, 1e-9, 1e-9), Some(2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SpliceError::Curvatures`] for [`Continuity::G2`] by another method than [`Method::Exact`];
+    /// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what
+    /// is wrong with the input.
+    pub fn continued_within(
+        &self,
+        edges: EdgePair,
+        options: &SpliceOptions,
+        next: &Self,
+    ) -> Result<Splice<P>, SpliceError> {
+        let domain = |surface: &Self, edge| surface.knots(along(edge)).to_f64().domain();
+        let domains = [domain(next, edges.second), domain(self, edges.first)];
+        let place = |t| strip::mapped_parameter(t, domains[0], domains[1], edges.orientation);
+        splice(next, self, edges.swapped(), options).map_err(|error| error.at(place))
+    }
+}
+
+/// [`BSplineSurface::continued_within`], with the surface that is adjusted first; places are parameters of that one.
+fn splice<P: Point3>(
     surface: &BSplineSurface<P>,
     target: &BSplineSurface<P>,
     edges: EdgePair,
@@ -275,14 +292,14 @@ pub fn splice<P: Point3>(
             let rows = [Some(&strip.edge), Some(&strip.inner), third.as_ref().map(|(row, _)| &row.edge)];
             let result = written(&surface, edges.first, degree, &inserted, rows)?;
             // The figures of what is handed back, in its own precision.
-            let achieved = measured(&result, target, edges, options.continuity)?;
-            if excess(&achieved) > 1.0 {
-                best = Some((achieved, spans));
+            let joint = measured(target, &result, edges.swapped(), options.continuity)?;
+            if excess(&joint) > 1.0 {
+                best = Some((measured(&result, target, edges, options.continuity)?, spans));
                 break;
             }
             let of_third = third.as_ref().map_or(0.0, |(row, before)| change(before, row));
             let change = change(&base, &strip).max(of_third);
-            return Ok(Splice { surface: result, joint: achieved, spans, rounds, change });
+            return Ok(Splice { surface: result, joint, spans, rounds, change });
         }
         let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, AIM * options.gap, AIM * angle);
         let stalled = rounds - best_round >= PATIENCE;

@@ -92,9 +92,9 @@ impl Edge {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EdgePair {
-    /// The edge of the first surface; of a splice that of the surface that is adjusted.
+    /// The edge of the first surface, the one that stays where another one is moved.
     pub first: Edge,
-    /// The edge of the second surface; of a splice that of the target.
+    /// The edge of the second surface, the one that is moved so that it continues the first.
     pub second: Edge,
     /// Whether the parameters along the two edges run in the same direction or in opposite ones.
     pub orientation: Orientation,

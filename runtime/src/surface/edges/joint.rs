@@ -29,8 +29,8 @@ pub struct EdgeJoint<S> {
     pub curvature: S,
     /// Where it occurs: the parameter of the first surface along its edge; NaN if the difference is.
     pub curvature_at: S,
-    /// Whether the normals of both surfaces point to the same side where they continue each other, or to opposite sides.
-    /// It follows from which edges are joined in which direction.
+    /// Whether the normals of both surfaces point to the same side where they continue each other, or to opposite
+    /// sides. It follows from which edges are joined in which direction.
     pub normals: Orientation,
     /// The number of samples at which a surface has no normal, which do not count for the angle.
     pub without_normal: usize,

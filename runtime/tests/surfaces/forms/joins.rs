@@ -1,7 +1,8 @@
 //! Joined surfaces have the order of contact asked for, and the measurement sees it.
 
 use basis_runtime::{
-    BernsteinBasis, Contact, Direction, Edge, EdgePair, JoinError, Orientation, Surface, TensorSurface,
+    BernsteinBasis, Contact, Curve, Direction, Edge, EdgePair, JoinError, Orientation, RationalSurface,
+    Surface, SurfaceOfRevolution, TensorSurface,
 };
 
 use crate::families::{
@@ -207,6 +208,101 @@ fn of_all_edges() {
             }
         }
     }
+}
+
+/// The same of rational surfaces, whose weights change along the edge and across it.
+#[test]
+fn of_rational_surfaces() {
+    let random = &mut Random::new(77);
+    let quintic = BernsteinBasis::<f64, 6>::new();
+    let mut refused = 0;
+    for first_edge in Edge::ALL {
+        for second_edge in Edge::ALL {
+            for orientation in [Orientation::Same, Orientation::Opposite] {
+                let pair = EdgePair { first: first_edge, second: second_edge, orientation };
+                let (u, v) = (random_quartic(random), random_quartic(random));
+                let net = sheet(random, 0.0, 0.0);
+                let weights = core::array::from_fn(|_| core::array::from_fn(|_| random.between(0.95, 1.05)));
+                let first = RationalSurface::new(u, v, net, weights);
+                let draft: [[[f64; 3]; 6]; 6] = core::array::from_fn(|i| {
+                    core::array::from_fn(|j| [i as f64, j as f64, random.between(-0.3, 0.3)])
+                });
+                let size = random.between(0.01, 100.0);
+                let draft = RationalSurface::new(quintic, quintic, draft, [[size; 6]; 6]);
+                let flat = RationalSurface::new(u, v, net, [[2.0; 4]; 4]);
+                for contact in [
+                    Contact::Parametric { order: 0 },
+                    Contact::Tangent { f: 1.25 },
+                    Contact::Curvature { f: 0.75, c: 0.5 },
+                ] {
+                    let Ok(next) = first.continued(pair, contact, &draft) else {
+                        refused += 1;
+                        continue;
+                    };
+                    let joint = first.joint(pair, &next, 17);
+                    let order = joint.geometric_order(1e-11, 1e-8, 1e-6);
+                    assert_eq!(order, Some(contact.order()), "{pair:?} {contact:?} {joint:?}");
+                    let kept = |i: usize, j: usize| {
+                        let across = if second_edge.across() == Direction::U { i } else { j };
+                        let away = if second_edge.is_end() { 5 - across } else { across };
+                        away <= contact.order() || next.control_point(i, j) == draft.control_point(i, j)
+                    };
+                    assert!((0..36).all(|n| kept(n / 6, n % 6)));
+                    // With equal weights it is the join of the numerators, and all weights stay.
+                    let next = flat.continued(pair, contact, &draft).unwrap();
+                    let plain = TensorSurface::new(u, v, net).continued(
+                        pair,
+                        contact,
+                        &draft.numerator().map(|p| p.map(|c| c / size)),
+                    );
+                    for n in 0..36 {
+                        let (point, weight) = next.control_point(n / 6, n % 6).unwrap();
+                        let expected = plain.unwrap().control_point(n / 6, n % 6).unwrap();
+                        assert!((weight / size - 1.0).abs() < 1e-11);
+                        assert!((0..3).all(|d| (point[d] - expected[d]).abs() < 1e-9));
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(refused, 0);
+}
+
+/// Circles of two surfaces of revolution, in either direction; what goes on beyond a meridian is the same surface.
+#[test]
+fn of_surfaces_of_revolution() {
+    let random = &mut Random::new(78);
+    let axis = [0.3, -0.4, 1.2];
+    let mut turned = |basis| {
+        let points = core::array::from_fn(|i| [2.0 + i as f64, random.between(-0.5, 0.5), i as f64]);
+        SurfaceOfRevolution::new(&Curve::new(basis, points), [0.1, 0.2, 0.3], axis, 4.0).unwrap()
+    };
+    let [first, draft] = [0.5, -0.7].map(|lambda| turned(QuarticBernstein::new(lambda).unwrap()));
+    for first_edge in [Edge::UStart, Edge::UEnd] {
+        for second_edge in [Edge::UStart, Edge::UEnd] {
+            for orientation in [Orientation::Same, Orientation::Opposite] {
+                let pair = EdgePair { first: first_edge, second: second_edge, orientation };
+                for contact in [
+                    Contact::Parametric { order: 0 },
+                    Contact::Tangent { f: 1.25 },
+                    Contact::Curvature { f: 0.75, c: 0.5 },
+                ] {
+                    let next = first.continued(pair, contact, &draft).unwrap();
+                    let joint = first.joint(pair, &next, 17);
+                    let order = joint.geometric_order(1e-12, 1e-7, 1e-9);
+                    assert_eq!(order, Some(contact.order()), "{pair:?} {contact:?} {joint:?}");
+                    assert_eq!((next.angle(), next.generatrix().basis()), (4.0, draft.generatrix().basis()));
+                }
+            }
+        }
+    }
+    let contact = Contact::Tangent { f: 1.0 };
+    for pair in [EdgePair::along(Edge::VEnd, Edge::VStart), EdgePair::along(Edge::UEnd, Edge::VStart)] {
+        assert_eq!(first.continued(pair, contact, &draft), Err(JoinError::Meridian));
+    }
+    let high = Contact::Parametric { order: 4 };
+    let pair = EdgePair::along(Edge::UEnd, Edge::UStart);
+    assert_eq!(first.continued(pair, high, &draft), Err(JoinError::Contact { most: 3, found: 4 }));
 }
 
 /// Half a turn about the edge: the tangent planes agree, but the surface comes back.
