@@ -319,7 +319,7 @@ fn what_is_refused() {
     let deformed = dented(&network.patches()[0], [0.1; 5]);
     let error = network.follow(0, &deformed, &FollowOptions::default()).unwrap_err();
     assert!(matches!(error, NetworkError::NotSmooth { .. }), "{error}");
-    assert!(error.to_string().contains("splice its patches first"));
+    assert!(error.to_string().contains("join its patches first"));
 
     let network = Network::grid(all, 2).unwrap();
     let error = network.follow(0, &network.patches()[3], &FollowOptions::default()).unwrap_err();

@@ -4,7 +4,7 @@ use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, Nurb
 use basis_runtime::{
     BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, EdgePair, Isocurve, ParametricCurve,
     Path, PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution,
-    TensorSurface, Tessellation, TriangleContact, TriangleEdge, TriangularBezier,
+    TensorSurface, Tessellation, TriangleContact, TriangularBezier,
 };
 
 #[cfg(feature = "macros")]
@@ -245,7 +245,7 @@ fn of_surfaces() {
             "`TriangularPatch`",
             ask_surface!(triangle,
                 eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p); transform(&TURN);
-                continued(TriangleEdge::W, TriangleContact { order: 0, apex: [1.0, 1.0, -1.0] }, &triangle);),
+                continued(EdgePair::against(Edge::VEnd, Edge::VEnd), TriangleContact { order: 0, apex: [1.0, 1.0, -1.0] }, &triangle);),
         ),
         ("`BoxPatch`", sheet),
         ("dyn", {

@@ -112,7 +112,7 @@ impl Display for NetworkError {
             Self::NotSmooth { seam, joint } => {
                 write!(f, "seam {seam} was not smooth before: ")?;
                 figures(f, joint)?;
-                f.write_str("; splice its patches first")
+                f.write_str("; join its patches first, by `continued_within`")
             }
             Self::Seam { seam, error } => write!(f, "seam {seam}: {error}"),
             Self::Twist { patch, seams: [a, b], mismatch, worst, achieved } => {

@@ -292,7 +292,11 @@ fn splice<P: Point3>(
             let rows = [Some(&strip.edge), Some(&strip.inner), third.as_ref().map(|(row, _)| &row.edge)];
             let result = written(&surface, edges.first, degree, &inserted, rows)?;
             // The figures of what is handed back, in its own precision.
-            let joint = measured(target, &result, edges.swapped(), options.continuity)?;
+            let joint = measured(target, &result, edges.swapped(), options.continuity);
+            let joint = joint.map_err(|error| {
+                let domain = clamped.knots(along(edges.second)).to_f64().domain();
+                error.at(|t| strip::mapped_parameter(t, domain, original.knots.domain(), edges.orientation))
+            })?;
             if excess(&joint) > 1.0 {
                 best = Some((measured(&result, target, edges, options.continuity)?, spans));
                 break;

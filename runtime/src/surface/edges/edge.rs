@@ -25,6 +25,8 @@ pub enum Orientation {
 }
 
 /// An edge of the parameters of a surface, a rectangle or a triangle: see [`SurfaceDomain`](crate::SurfaceDomain).
+/// Those of a triangle that are no corner have a type of their own, [`TriangleEdge`](crate::TriangleEdge), which is
+/// converted to this one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Edge {

@@ -34,6 +34,9 @@ pub enum JoinError {
         /// The order asked for.
         found: usize,
     },
+    /// An edge of a triangle is the corner `u = 1`, [`Edge::UEnd`](crate::Edge::UEnd), across which there is nothing to
+    /// continue.
+    Corner,
     /// The apex of a triangle that continues another one across an edge is not beyond the edge.
     Apex {
         /// Its barycentric coordinate that must be negative.
@@ -74,6 +77,9 @@ impl Display for JoinError {
             Self::Contact { most, found } => {
                 write!(f, "contact of order {found} is not possible, at most of order {most}")
             }
+            Self::Corner => f.write_str(
+                "the edge UEnd of a triangle is its corner u = 1: the edges that can be joined are UStart, VStart and VEnd",
+            ),
             Self::Apex { value } => write!(
                 f,
                 "the apex is not beyond the edge: its barycentric coordinate that belongs to the \
