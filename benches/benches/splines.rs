@@ -7,7 +7,7 @@ use basis_benches::parameters;
 use basis_runtime::Surface;
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, Direction, Edge, EdgePair, KnotVector, Method, Net, NurbsCurve,
-    SpliceOptions, splice,
+    SpliceOptions,
 };
 use curvo::prelude::{NurbsCurve3D, NurbsSurface3D};
 use divan::{Bencher, black_box};
@@ -261,9 +261,7 @@ mod nearest {
 
 /// Two surfaces, with as many spans along the joint and one more, to 1e-5 and 1e-4.
 mod splicing {
-    use super::{
-        BSplineSurface, Bencher, Edge, EdgePair, Method, Net, P3, SpliceOptions, black_box, knots, splice,
-    };
+    use super::{BSplineSurface, Bencher, Edge, EdgePair, Method, Net, P3, SpliceOptions, black_box, knots};
 
     fn pair(spans: usize) -> [BSplineSurface<P3>; 2] {
         let sheet = |spans: usize, from: f64| {
@@ -280,9 +278,9 @@ mod splicing {
 
     fn run(bencher: Bencher<'_, '_>, spans: usize, method: Method) {
         let [surface, target] = pair(spans);
-        let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+        let edges = EdgePair::along(Edge::UStart, Edge::UEnd);
         let options = SpliceOptions::default().method(method);
-        bencher.bench_local(|| black_box(splice(&surface, &target, joint, &options)));
+        bencher.bench_local(|| black_box(target.continued_within(edges, &options, &surface)));
     }
 
     #[divan::bench(args = [8, 16, 32, 64, 128])]

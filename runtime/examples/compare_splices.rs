@@ -5,8 +5,7 @@
 use std::time::Instant;
 
 use basis_runtime::bspline::{
-    BSplineSurface, Edge, EdgeKnots, EdgePair, KnotVector, Method, Net, SecondRow, SpliceError,
-    SpliceOptions, splice,
+    BSplineSurface, Edge, EdgeKnots, EdgePair, KnotVector, Method, Net, SecondRow, SpliceError, SpliceOptions,
 };
 
 type P3 = [f64; 3];
@@ -57,7 +56,7 @@ fn cases() -> Vec<Case> {
 }
 
 fn main() {
-    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+    let edges = EdgePair::along(Edge::UStart, Edge::UEnd);
     let least = SpliceOptions::default().method(Method::LeastSquares);
     let own = least.edge_knots(EdgeKnots::Own);
     let kept = own.second_row(SecondRow::Kept);
@@ -76,7 +75,7 @@ fn main() {
         for (method, options) in &methods {
             let run = || {
                 let start = Instant::now();
-                let result = splice(&case.surface, &case.target, joint, options);
+                let result = case.target.continued_within(edges, options, &case.surface);
                 (result, start.elapsed().as_secs_f64() * 1e3)
             };
             // The best time of several; the result is the same each time.
@@ -86,7 +85,7 @@ fn main() {
             match result {
                 Ok(s) => println!(
                     "| {name} | {method} | {} | {} | {:.1e} | {:.1e} | {:.4} | {time:.2} ms |",
-                    s.spans, s.rounds, s.measure.gap, s.measure.angle, s.change
+                    s.spans, s.rounds, s.joint.gap, s.joint.angle, s.change
                 ),
                 Err(SpliceError::NotReached { achieved, spans, .. }) => println!(
                     "| {name} | {method} | not with {spans} | | {:.1e} | {:.1e} | | {time:.0} ms |",

@@ -44,8 +44,8 @@
 //! | a curve that turns about an axis | [`SurfaceOfRevolution`] |
 //! | a patch on a triangle, a tetrahedron, a box, a prism | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`], [`ProductPatch`] |
 //! | normals and curvatures of all of these surfaces, over rectangles and triangles | the trait [`Surface`], [`SurfaceDomain`] |
-//! | a surface that continues another one across an edge, with a contact of any order | [`TensorSurface::continued`], [`SimplexPatch::continued`]; of splines `bspline::splice` |
-//! | how smoothly two surfaces meet | [`edge_continuity`] |
+//! | a surface that continues another one across an edge, with a contact of any order | [`TensorSurface::continued`] and the methods of this name of all surfaces with rows of control points, [`Contact`]; of triangular patches [`SimplexPatch::continued`] with a [`TriangleContact`]; of splines within tolerances `BSplineSurface::continued_within` |
+//! | how smoothly a curve or a surface continues another one | [`Joint`] of curves, [`EdgeJoint`] of surfaces at samples along an edge, `bspline::JointBounds` proved for the whole edge of B-spline surfaces |
 //! | where curves, rays and lines meet surfaces | [`SurfaceMeeting`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
 //! | a curve over a family with denominators | [`RationalCurve`] over a [`RationalBasis`]; its Bézier form [`RationalBezier`] |
@@ -103,6 +103,9 @@
 //! | derivatives: `partial`, `partials_into` | yes | yes | yes | yes | yes | yes | yes | yes |
 //! | as an array: `eval_with_partials` | yes | yes | yes | yes | yes | yes | yes | no: the length is a parameter of the function |
 //! | `normal`, with its limits at poles, `curvature` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | how smoothly another surface of any type continues it across an edge, at samples: `joint` | yes | yes | yes | yes | yes | yes | yes | yes |
+//! | the same as proved bounds for the whole edge: `joint_bounds` | no: `joint` at samples; a Bézier surface is a `BSplineSurface`, too | no: the proof is for polynomials | no: the proof is for polynomials | yes | no: the proof is for polynomials | no: the proof is for rectangles | no: `joint` at samples only | no: the other surface has a type of its own |
+//! | another surface of its type, moved so that it continues this one across an edge, of surfaces of revolution across a circle: `continued` | yes | yes | yes | yes | yes | yes | no: its control points are not in rows along an edge | no: the other surface has a type of its own |
 //! | rational Bézier patches: `pieces` | yes | yes | yes | yes | yes | yes | yes | yes |
 //! | boxes: `control_box`, `bounding_box` | yes | yes | yes | yes | yes | yes | yes | yes |
 //! | curves on it: `isocurve`, `boundary` | yes | yes | yes | yes | yes | yes | yes | no: [`Isocurve::new`] takes a `&dyn BoundedSurface` |
@@ -113,9 +116,8 @@
 //! | the image under an affine map, a closure or [one of the library of points](AffineMap), of a surface of revolution under a similarity: `map`, `transform` | yes | yes | yes | yes | yes | yes | yes | no: the image has a type of its own |
 //! | triangles within a tolerance, by a [tessellation](Tessellation): `with` | yes | yes | yes | yes | yes | yes | yes | yes |
 //!
-//! [`edge_continuity`] measures how smoothly two surfaces of any types meet along an edge. The parameters are those of a
-//! rectangle or of a triangle, [`SurfaceDomain`], with the same four edges; generic code that asks the domain for parameters is
-//! right for both.
+//! The parameters are those of a rectangle or of a triangle, [`SurfaceDomain`], with the same four edges; generic code
+//! that asks the domain for parameters is right for both.
 //!
 //! # Points
 //!
@@ -288,9 +290,8 @@ pub use simplex::{
 #[cfg(feature = "geometry")]
 pub use surface::{Area, BoundedSurface, Isocurve, SurfacePiece};
 pub use surface::{
-    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, Orientation,
-    RationalPatchOf, RationalSurface, ScalarOf, Surface, SurfaceDomain, TensorSurface, VectorOf,
-    edge_continuity,
+    BezierPatchOf, Curvature, Direction, Edge, EdgeJoint, EdgePair, JoinError, Orientation, RationalPatchOf,
+    RationalSurface, ScalarOf, Surface, SurfaceDomain, TensorSurface, VectorOf,
 };
 pub use vector::Point3;
 

@@ -7,24 +7,23 @@ mod sources;
 
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, ConstructionError,
-    Continuity, Direction, EdgeKnots, FitError, FollowOptions, Followed, Homogeneous, JointMeasure,
-    KnotError, KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint,
-    Seam, SecondRow, Spacing, Splice, SpliceError, SpliceOptions, SplineError, splice,
+    Continuity, Direction, EdgeKnots, FitError, FollowOptions, Followed, Homogeneous, JointBounds, KnotError,
+    KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Seam,
+    SecondRow, Spacing, Splice, SpliceError, SpliceOptions, SplineError,
 };
 use basis_runtime::laws::{Checks, Law, Place, Violation};
 use basis_runtime::{
     AnyCurve, Area, BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact,
-    CountError, Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity,
-    EdgePair, Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame, GridEnd,
-    GridFit, Isocurve, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh, MeshError, Nearest,
-    Offset, Orientation, ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting, ProductPatch,
-    Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline, RationalSurface,
-    RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, SpanOf,
-    SpannedBasis, SpannedCurve, Stroke, Surface, SurfaceDomain, SurfaceMeeting, SurfaceOfRevolution,
-    SurfacePiece, SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation, TriangleContact,
-    TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    CountError, Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeJoint, EdgePair,
+    Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame, GridEnd, GridFit,
+    Isocurve, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh, MeshError, Nearest, Offset,
+    Orientation, ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting, ProductPatch, Quadrature,
+    QuadratureError, RationalBezier, RationalCurve, RationalSpline, RationalSurface, RevolutionError,
+    RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, SpanOf, SpannedBasis,
+    SpannedCurve, Stroke, Surface, SurfaceDomain, SurfaceMeeting, SurfaceOfRevolution, SurfacePiece,
+    SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation, TriangleContact, TriangleEdge,
+    TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
     bernstein::{Root, RootKind},
-    edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -189,10 +188,10 @@ fn surfaces_and_meshes() {
     assert!(read.eval(0.3, 0.4).iter().zip(patch.eval(0.3, 0.4)).all(|(a, b)| (a - b).abs() < 1e-14));
 
     again(Edge::UStart);
-    let mut continuity: EdgeContinuity<f64> =
-        edge_continuity(&surface(), &surface(), EdgePair::along(Edge::UEnd, Edge::UEnd), 5);
-    (continuity.angle, continuity.curvature, continuity.gap) = (0.5, 0.25, 0.0);
-    again(continuity);
+    let mut joint: EdgeJoint<f64> = surface().joint(EdgePair::along(Edge::UEnd, Edge::UEnd), &surface(), 5);
+    (joint.gap, joint.angle, joint.curvature) = (0.0, 0.5, 0.25);
+    (joint.gap_at, joint.angle_at, joint.curvature_at) = (0.25, 0.0, 1.0);
+    again(joint);
     let bend: Curvature<P> =
         serde_json::from_value(serde_json::to_value(surface().curvature(0.5, 0.5).unwrap()).unwrap())
             .unwrap();
@@ -277,7 +276,7 @@ fn joints_and_networks_of_splines() {
     again(network.clone());
     refused(&network, |json| json["seams"][0]["patches"] = json!([0, 2]));
     let measure = json!({ "gap": 0.5, "gap_at": 0.25, "angle": 1.0, "angle_at": 0.0 });
-    again(read::<JointMeasure>(measure.clone()));
+    again(read::<JointBounds>(measure.clone()));
     again(read::<Followed<P>>(json!({ "network": network, "changed": [1], "seams": [[0, measure]] })));
     again(FollowOptions::default());
     again(EdgePair::against(Edge::UStart, Edge::UEnd));
@@ -285,8 +284,9 @@ fn joints_and_networks_of_splines() {
     again((SecondRow::Kept, EdgeKnots::Own));
     again((Continuity::G0, Method::LeastSquares, Spacing::Chord, SpliceOptions::default()));
     let joint = EdgePair::along(Edge::UEnd, Edge::UEnd);
-    let mut joined = splice(&spline(), &spline(), joint, &SpliceOptions::default()).unwrap();
-    (joined.surface, joined.measure, joined.change) = (spline(), read(measure), 0.5);
+    let mut joined =
+        spline().continued_within(joint.swapped(), &SpliceOptions::default(), &spline()).unwrap();
+    (joined.surface, joined.joint, joined.change) = (spline(), read(measure), 0.5);
     again::<Splice<P>>(joined);
     again((PointConstraint::At([0.5, 0.25], [1.0, 0.0, 2.0]), PointConstraint::Nearest([1.0, 0.0, 2.0])));
     again(read::<Constrained<P>>(

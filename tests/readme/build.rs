@@ -61,7 +61,7 @@ const BLOCKS: [Block; 4] = [
     },
     Block {
         name: "splices",
-        says: "splice(&left",
+        says: "right.continued_within",
         before: "
             use basis_runtime::bspline::{BSplineSurface, KnotVector, Net};
             let patch = |knots: KnotVector<f64>, from: f64| -> Result<_, Box<dyn std::error::Error>> {
@@ -76,7 +76,9 @@ const BLOCKS: [Block; 4] = [
             let left = patch(KnotVector::uniform(3, 4)?, -1.0)?;
             let right = patch(KnotVector::uniform(3, 2)?, 0.0)?;",
         after: "
-            assert!(joined.measure.gap <= 1e-5 && joined.measure.angle <= 1e-4);",
+            use basis_runtime::Surface;
+            assert_eq!(right.joint(edges, &curved, 17).geometric_order(1e-12, 1e-12, 1e-9), Some(2));
+            assert!(joined.joint.gap <= 1e-5 && joined.joint.angle <= 1e-4);",
     },
 ];
 

@@ -4,7 +4,7 @@
 use std::error::Error;
 
 use basis_runtime::bspline::{
-    BSplineSurface, Edge, EdgePair, KnotVector, Net, PointConstraint, SpliceOptions, measure_joint, splice,
+    BSplineSurface, Edge, EdgePair, KnotVector, Net, PointConstraint, SpliceOptions,
 };
 
 type Point3d = [f64; 3];
@@ -52,11 +52,11 @@ pub(crate) fn bonnet() -> Result<Bonnet, Box<dyn Error>> {
     let coarse = KnotVector::clamped(3, &[0.0, 0.22, 0.41, 0.63, 0.8, 1.0])?;
     let fine = KnotVector::clamped(3, &[0.0, 0.09, 0.2, 0.37, 0.45, 0.6, 0.78, 0.9, 1.0])?;
     let options = SpliceOptions::default();
-    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+    let edges = EdgePair::along(Edge::UStart, Edge::UEnd);
 
     let right = patch(&across, &fine, 1.0)?;
-    let left = splice(&patch(&across, &coarse, -1.0)?, &right, joint, &options)?.surface;
-    let first = measure_joint(&left, &right, joint)?;
+    let left = right.continued_within(edges, &options, &patch(&across, &coarse, -1.0)?)?.surface;
+    let first = right.joint_bounds(edges, &left)?;
 
     // A power dome: four points near the centre line, lifted.
     let lifted = [(0.24, 0.035), (0.42, 0.06), (0.6, 0.06), (0.78, 0.03)];
@@ -67,13 +67,13 @@ pub(crate) fn bonnet() -> Result<Bonnet, Box<dyn Error>> {
     let at = wanted.map(|(at, point)| PointConstraint::At(at, point));
     // The outer half keeps its place.
     let deformed = right.pass_through_holding(&at, |row, _| row >= 4)?;
-    let moved = measure_joint(&left, &deformed.surface, joint)?;
-    let follows = splice(&left, &deformed.surface, joint, &options)?;
+    let moved = deformed.surface.joint_bounds(edges, &left)?;
+    let follows = deformed.surface.continued_within(edges, &options, &left)?;
 
     let constraints = wanted.map(|(_, point)| point);
     let facts = vec![
-        ("gap", follows.measure.gap),
-        ("angle", follows.measure.angle),
+        ("gap", follows.joint.gap),
+        ("angle", follows.joint.angle),
         ("gap before", first.gap),
         ("angle before", first.angle),
         ("gap without splicing", moved.gap),

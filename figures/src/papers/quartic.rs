@@ -4,9 +4,7 @@
 use std::error::Error;
 use std::f64::consts::PI;
 
-use basis_runtime::{
-    Contact, Edge, EdgeContinuity, EdgePair, ShapeError, Surface, TensorSurface, edge_continuity,
-};
+use basis_runtime::{Contact, Edge, EdgeJoint, EdgePair, ShapeError, Surface, TensorSurface};
 
 use super::families::QuarticBernstein;
 use crate::draw::scene::{Point3d, Scene, View};
@@ -253,7 +251,7 @@ fn joined(join: &Join) -> Result<Drawing, Box<dyn Error>> {
     for part in &parts {
         show_net(&mut scene, &net_of(part));
     }
-    let measured = edge_continuity(&first, &second, EdgePair::along(Edge::VEnd, Edge::VStart), SAMPLES);
+    let measured = first.joint(EdgePair::along(Edge::VEnd, Edge::VStart), &second, SAMPLES);
     Ok(Drawing {
         picture: Picture::Surfaces(scene, View { azimuth: -28.0, elevation: 30.0 }),
         params: Facts::default()
@@ -269,11 +267,13 @@ fn joined(join: &Join) -> Result<Drawing, Box<dyn Error>> {
 }
 
 /// The worst of the measured edges.
-fn continuity(edges: &[EdgeContinuity<f64>]) -> Facts {
-    let most = |of: fn(&EdgeContinuity<f64>) -> f64| edges.iter().map(of).fold(0.0, f64::max);
+fn continuity(edges: &[EdgeJoint<f64>]) -> Facts {
+    let most = |of: fn(&EdgeJoint<f64>) -> f64| edges.iter().map(of).fold(0.0, f64::max);
     let orders: Vec<String> = edges
         .iter()
-        .map(|edge| edge.order(1e-9, 1e-7, 1e-6).map_or_else(|| String::from("gap"), |k| format!("G{k}")))
+        .map(|edge| {
+            edge.geometric_order(1e-9, 1e-7, 1e-6).map_or_else(|| String::from("gap"), |k| format!("G{k}"))
+        })
         .collect();
     Facts::default()
         .with("edges", edges.len())
@@ -302,10 +302,10 @@ fn tablecloth() -> Result<Drawing, Box<dyn Error>> {
     };
     let parts = [quarter(1.0, 1.0)?, quarter(-1.0, 1.0)?, quarter(-1.0, -1.0)?, quarter(1.0, -1.0)?];
     let edges = [
-        edge_continuity(&parts[1], &parts[0], EdgePair::along(Edge::UEnd, Edge::UStart), SAMPLES),
-        edge_continuity(&parts[2], &parts[3], EdgePair::along(Edge::UEnd, Edge::UStart), SAMPLES),
-        edge_continuity(&parts[3], &parts[0], EdgePair::along(Edge::VEnd, Edge::VStart), SAMPLES),
-        edge_continuity(&parts[2], &parts[1], EdgePair::along(Edge::VEnd, Edge::VStart), SAMPLES),
+        parts[1].joint(EdgePair::along(Edge::UEnd, Edge::UStart), &parts[0], SAMPLES),
+        parts[2].joint(EdgePair::along(Edge::UEnd, Edge::UStart), &parts[3], SAMPLES),
+        parts[3].joint(EdgePair::along(Edge::VEnd, Edge::VStart), &parts[0], SAMPLES),
+        parts[2].joint(EdgePair::along(Edge::VEnd, Edge::VStart), &parts[1], SAMPLES),
     ];
     let drawing = assembled(&parts, &edges, [lambda, gamma], View { azimuth: -62.0, elevation: 30.0 })?;
     let note = String::from("Four patches that meet in the middle of the table: two u–u and two v–v joins.");
@@ -315,7 +315,7 @@ fn tablecloth() -> Result<Drawing, Box<dyn Error>> {
 /// Patches with the same shape values beside each other, and their nets; the note is left empty.
 fn assembled(
     parts: &[Patch],
-    edges: &[EdgeContinuity<f64>],
+    edges: &[EdgeJoint<f64>],
     [lambda, gamma]: [f64; 2],
     view: View,
 ) -> Result<Drawing, Box<dyn Error>> {
@@ -369,15 +369,8 @@ fn tent() -> Result<Drawing, Box<dyn Error>> {
         })
     };
     let parts = tent_ring(lambda, gamma, net)?;
-    let edges: Vec<EdgeContinuity<f64>> = (0..6)
-        .map(|k| {
-            edge_continuity(
-                &parts[k],
-                &parts[(k + 1) % 6],
-                EdgePair::along(Edge::VEnd, Edge::VStart),
-                SAMPLES,
-            )
-        })
+    let edges: Vec<EdgeJoint<f64>> = (0..6)
+        .map(|k| parts[k].joint(EdgePair::along(Edge::VEnd, Edge::VStart), &parts[(k + 1) % 6], SAMPLES))
         .collect();
     let drawing = assembled(&parts, &edges, [lambda, gamma], View { azimuth: -52.0, elevation: 22.0 })?;
     Ok(Drawing { note: String::from("Six three-sided patches joined G1 around the top."), ..drawing })

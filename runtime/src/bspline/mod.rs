@@ -17,7 +17,9 @@
 //! | surfaces of revolution | [`NurbsSurface::revolved`]; `try_from` of a [`SurfaceOfRevolution`](crate::SurfaceOfRevolution) |
 //! | the nearest point | [`BSplineSurface::nearest`], [`ParametricCurve::nearest`](crate::ParametricCurve::nearest) |
 //! | a surface through given points | [`BSplineSurface::pass_through`] |
-//! | a joint of two surfaces with the same tangent planes or curvatures, whatever their knots and degrees | [`splice`], [`measure_joint`] |
+//! | a surface that continues another one across an edge, whatever their knots and degrees, with a given contact of any order | [`BSplineSurface::continued`], [`NurbsSurface::continued`] |
+//! | the same with tangent planes or curvatures within tolerances and the least change, also by a published method | [`BSplineSurface::continued_within`] |
+//! | bounds of gap and angle between two surfaces along an edge | [`BSplineSurface::joint_bounds`] |
 //! | neighbours that follow a deformed patch | [`Network`] |
 //!
 //! All of them stand over [`KnotVector`]s, which are validated when they are made; after that nothing can fail for
@@ -47,6 +49,7 @@ use setters;
 mod buffer;
 mod constrain;
 mod construct;
+mod continued;
 mod curve;
 mod error;
 mod fit;
@@ -72,10 +75,7 @@ pub use knots::{KnotVector, MAX_DEGREE};
 pub use net::Net;
 pub use network::{FollowOptions, Followed, Network, NetworkError, Seam};
 pub use nurbs::{Homogeneous, NurbsCurve, NurbsSurface};
-pub use splice::{
-    Continuity, EdgeKnots, JointMeasure, Method, SecondRow, Splice, SpliceError, SpliceOptions,
-    measure_joint, splice,
-};
+pub use splice::{Continuity, EdgeKnots, JointBounds, Method, SecondRow, Splice, SpliceError, SpliceOptions};
 pub use surface::{BSplineSurface, BezierPatch};
 
 pub use crate::{Direction, Edge, EdgePair, Orientation};

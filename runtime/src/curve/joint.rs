@@ -3,17 +3,18 @@
 use crate::vector::{direction, distance, dot, length};
 use crate::{Basis, Curve, Point, Scalar};
 
-/// How the start of one curve continues the end of another, measured by [`Curve::joint`].
+/// How the start of one curve continues the end of another, measured by [`Curve::joint`]. Along the edge of two
+/// surfaces the same figures are those of [`EdgeJoint`](crate::EdgeJoint).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Joint<S> {
-    /// The distance of the end of the first from the start of the second curve.
+    /// The distance of the end of the first from the start of the second curve, in the unit of the points.
     pub gap: S,
     /// The angle between the tangents in radians, from 0 to π; NaN if a curve is a point.
     pub angle: S,
-    /// The length of the difference of the curvature vectors, which point to the centres of curvature; NaN where a
-    /// velocity vanishes.
+    /// The length of the difference of the curvature vectors, which point to the centres of curvature, in the inverse
+    /// of the unit of the points; NaN where a velocity vanishes.
     pub curvature: S,
     /// The lengths of the differences of the first, second and third derivatives, each with respect to the parameter of
     /// its own curve.
@@ -24,11 +25,10 @@ impl<S: Scalar> Joint<S> {
     /// The order of geometric continuity that the measured numbers allow: 2 for G2, 1 for G1, 0 for G0, or `None` if
     /// there is a gap.
     ///
-    /// The tolerances are in the unit of length, in radians, and in the inverse of the unit of length. Where the
-    /// curvature is NaN the order is at most 1.
+    /// The tolerances are in the unit of length, in radians, and in the inverse of the unit of length. A figure that is
+    /// NaN is above its tolerance.
     pub fn geometric_order(&self, gap: S, angle: S, curvature: S) -> Option<usize> {
-        // A comparison with NaN is false, so that NaN counts as too large.
-        (self.gap <= gap).then(|| leading([self.angle <= angle, self.curvature <= curvature]))
+        leading_order(self.gap <= gap, [self.angle <= angle, self.curvature <= curvature])
     }
 
     /// The order of parametric continuity that the measured numbers allow, up to C3, or `None` if there is a gap.
@@ -36,12 +36,14 @@ impl<S: Scalar> Joint<S> {
     /// The tolerances are those of the gap and of the derivatives.
     pub fn parametric_order(&self, gap: S, derivatives: [S; 3]) -> Option<usize> {
         let small = |k: usize| self.derivatives[k] <= derivatives[k];
-        (self.gap <= gap).then(|| leading([small(0), small(1), small(2)]))
+        leading_order(self.gap <= gap, [small(0), small(1), small(2)])
     }
 }
 
-fn leading<const N: usize>(conditions: [bool; N]) -> usize {
-    conditions.into_iter().take_while(|&holds| holds).count()
+/// The order of a joint without a gap whose figures of the orders 1, 2, … are small enough. They are compared with
+/// `<=`, which is false of NaN.
+pub(crate) fn leading_order<const N: usize>(is_closed: bool, are_small: [bool; N]) -> Option<usize> {
+    is_closed.then(|| are_small.into_iter().take_while(|&is_small| is_small).count())
 }
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {

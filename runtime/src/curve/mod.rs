@@ -33,6 +33,7 @@ pub use frame::Frame;
 #[cfg(feature = "geometry")]
 pub(crate) use frame::{curvature, frenet, rotation_minimizing, torsion};
 pub use joint::Joint;
+pub(crate) use joint::leading_order;
 #[cfg(feature = "geometry")]
 pub(crate) use length::{ELLIPSES, RULES, Rule};
 pub use parts::{Bezier, BezierOf};

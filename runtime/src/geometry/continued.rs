@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use super::{CurveScalar, ParametricCurve};
 use crate::curve::backwards;
 use crate::numeric::binomial::binomial;
+use crate::numeric::leibniz;
 use crate::vector::is_finite;
 use crate::{
     Array, Basis, Contact, Curve, CurveError, Point, RationalBasis, RationalBezier, RationalCurve,
@@ -79,16 +80,6 @@ pub(crate) fn replace_first<P: Point>(
         }
     }
     Ok(())
-}
-
-/// The derivatives of the numerator `w C` from those of the curve and of the weight, by Leibniz' rule.
-pub(crate) fn numerators<P: Point>(derivatives: &[P], weights: &[P::Scalar]) -> Vec<P> {
-    let of = |k: usize| {
-        (0..=k).fold(P::zero(), |sum, i| {
-            sum.add_weighted(derivatives[k - i], binomial::<P::Scalar>(k, i) * weights[i])
-        })
-    };
-    (0..derivatives.len()).map(of).collect()
 }
 
 /// An array of the same points.
@@ -196,7 +187,7 @@ impl<P: Point> JoinableCurve for RationalBezier<P> {
             |k: usize| row(k).iter().zip(self.weights()).fold(P::Scalar::ZERO, |sum, (&a, &w)| sum + a * w);
         let weights: Vec<P::Scalar> = (0..derivatives.len()).map(weight).collect();
         let mut points = self.numerator().to_vec();
-        replace_first(&mut points, &numerators(derivatives, &weights), row)?;
+        replace_first(&mut points, &leibniz::product(derivatives, &weights), row)?;
         let divided = points.iter().zip(self.weights());
         let divided: Vec<P> = divided.map(|(p, &w)| P::from_components(|d| p.component(d) / w)).collect();
         finite(&divided)?;

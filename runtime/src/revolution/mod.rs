@@ -4,6 +4,8 @@ mod bounds;
 mod circle;
 mod error;
 #[cfg(feature = "alloc")]
+mod join;
+#[cfg(feature = "alloc")]
 mod rational;
 
 use core::ops::Range;

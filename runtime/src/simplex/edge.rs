@@ -2,14 +2,16 @@
 
 use super::TriangularBasis;
 use super::index::TriangleIndex;
-use crate::{Array, Basis, Point, Scalar};
+use crate::{Array, Basis, Edge, Point, Scalar};
 
-/// An edge of the triangle; the corners are where u = 1, v = 1 and w = 1.
+/// An edge of a triangle that has a curve; the corners are where u = 1, v = 1 and w = 1.
 ///
-/// With these directions the three edges run once around the triangle.
+/// An [`Edge`] is a side of the parameters of any surface, of a triangle three of them and the corner `u = 1`, on which
+/// there is no family and nothing to divide: hence this type for the three. Each is the [`Edge`] that it is converted
+/// to, in the same direction.
 ///
 /// ```
-/// use basis_runtime::{TriangleEdge, TriangleIndex, TriangularPatch, basis};
+/// use basis_runtime::{Edge, SurfaceDomain, TriangleEdge, TriangleIndex, TriangularPatch, basis};
 ///
 /// basis! {
 ///     family Linear {
@@ -21,32 +23,55 @@ use crate::{Array, Basis, Point, Scalar};
 /// // The points of w = 1, v = 1, u = 1.
 /// let patch = TriangularPatch::new(Linear::new(), [[0.0, 0.0], [0.0, 1.0], [4.0, 0.0]]);
 /// let edge = patch.edge_curve(TriangleEdge::W);
-/// assert_eq!((edge.start(), edge.end()), ([4.0, 0.0], [0.0, 1.0]));
+/// assert_eq!((edge.start(), edge.end()), ([0.0, 1.0], [4.0, 0.0]));
 /// assert_eq!(edge.eval(0.25), patch.eval_at(TriangleEdge::W.point(0.25)));
-/// assert_eq!(TriangleEdge::W.index(1, 0), TriangleIndex::new([1, 0, 0]));
+/// assert_eq!(TriangleEdge::W.index(1, 0), TriangleIndex::new([0, 1, 0]));
+/// assert_eq!(Edge::from(TriangleEdge::W), Edge::VEnd);
+/// assert_eq!(SurfaceDomain::Triangle.on_edge(Edge::VEnd, 0.25), (0.25, 0.75)); // as TriangleEdge::W.point(0.25)
+/// assert_eq!(TriangleEdge::of(Edge::UEnd), None); // the corner u = 1
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum TriangleEdge {
-    /// The edge u = 0, from the corner v = 1 to the corner w = 1.
+    /// The edge u = 0, from the corner w = 1 to the corner v = 1: [`Edge::UStart`].
     U,
-    /// The edge v = 0, from the corner w = 1 to the corner u = 1.
+    /// The edge v = 0, from the corner w = 1 to the corner u = 1: [`Edge::VStart`].
     V,
-    /// The edge w = 0, from the corner u = 1 to the corner v = 1.
+    /// The edge w = 0, from the corner v = 1 to the corner u = 1: [`Edge::VEnd`].
     W,
 }
 
 impl TriangleEdge {
-    /// All edges, in their order around the triangle.
+    /// All three.
     pub const ALL: [Self; 3] = [Self::U, Self::V, Self::W];
+
+    /// The edge of a triangle that is this side of the parameters; `None` for [`Edge::UEnd`], which is a corner.
+    pub const fn of(edge: Edge) -> Option<Self> {
+        match edge {
+            Edge::UStart => Some(Self::U),
+            Edge::UEnd => None,
+            Edge::VStart => Some(Self::V),
+            Edge::VEnd => Some(Self::W),
+        }
+    }
 
     /// Which coordinate is 1 at the start, and which at the end.
     pub(super) const fn corners(self) -> [usize; 2] {
         match self {
-            Self::U => [1, 2],
+            Self::U => [2, 1],
             Self::V => [2, 0],
-            Self::W => [0, 1],
+            Self::W => [1, 0],
+        }
+    }
+
+    /// Which coordinate is zero on the edge, and 1 at the opposite corner.
+    #[cfg(feature = "alloc")]
+    pub(super) const fn opposite(self) -> usize {
+        match self {
+            Self::U => 0,
+            Self::V => 1,
+            Self::W => 2,
         }
     }
 
@@ -68,6 +93,16 @@ impl TriangleEdge {
         components[start] = order - place;
         components[end] = place;
         TriangleIndex::new(components)
+    }
+}
+
+impl From<TriangleEdge> for Edge {
+    fn from(edge: TriangleEdge) -> Self {
+        match edge {
+            TriangleEdge::U => Self::UStart,
+            TriangleEdge::V => Self::VStart,
+            TriangleEdge::W => Self::VEnd,
+        }
     }
 }
 

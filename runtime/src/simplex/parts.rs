@@ -46,10 +46,10 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// use basis_runtime::{TriangleEdge, TriangularBezier};
     ///
     /// let patch = TriangularBezier::<f64, 3, 6>::from_points([0.0, 0.0, 4.0, 2.0, 1.0, 8.0]);
-    /// let [first, second] = patch.split_edge(TriangleEdge::W, 0.5); // from the corner u = 1 to the corner v = 1
-    /// assert_eq!(first.eval_at([1.0, 0.0, 0.0]), 8.0);
-    /// assert_eq!(first.eval_at([0.0, 1.0, 0.0]), 3.5);
-    /// assert_eq!(second.edge_curve(TriangleEdge::V).control_points(), [0.0, 1.0, 3.5]);
+    /// let [first, second] = patch.split_edge(TriangleEdge::W, 0.5); // from the corner v = 1 to the corner u = 1
+    /// assert_eq!(second.eval_at([1.0, 0.0, 0.0]), 8.0);
+    /// assert_eq!(second.eval_at([0.0, 1.0, 0.0]), 3.5);
+    /// assert_eq!(first.edge_curve(TriangleEdge::V).control_points(), [0.0, 1.0, 3.5]);
     /// ```
     pub fn split_edge(&self, edge: TriangleEdge, t: P::Scalar) -> [TriangularBezierOf<B, P>; 2] {
         let [start, end] = edge.corners();

@@ -210,8 +210,9 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// The boundary curve along an edge, from its start to its end, over the interval from 0 to 1.
     ///
     /// When the family allows it, its control points are those of the edge, and its family the restriction of the basis
-    /// to the edge; otherwise it is a Bézier curve. Either way it is the edge of the patch as a polynomial; of surfaces of any
-    /// type [`BoundedSurface::boundary`](crate::BoundedSurface::boundary) gives it with the parameter of the surface.
+    /// to the edge; otherwise it is a Bézier curve. Either way it is the edge of the patch as a polynomial; what
+    /// [`BoundedSurface::boundary`](crate::BoundedSurface::boundary) gives of surfaces of any type is the same curve
+    /// with the same parameter.
     pub fn edge_curve(&self, edge: TriangleEdge) -> Curve<EdgeBasis<B>, P> {
         let points = if B::OWN_EDGES { self.points.as_ref() } else { self.net.as_ref() };
         let last = <B::EdgePoints<P> as Array<P>>::LEN - 1;

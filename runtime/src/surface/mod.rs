@@ -26,7 +26,11 @@ mod triangle;
 pub use area::Area;
 pub use curvature::Curvature;
 pub use domain::SurfaceDomain;
-pub use edges::{Direction, Edge, EdgeContinuity, EdgePair, JoinError, Orientation, edge_continuity};
+#[cfg(feature = "bspline")]
+pub(crate) use edges::factor_of_weights;
+pub use edges::{Direction, Edge, EdgeJoint, EdgePair, JoinError, Orientation};
+#[cfg(feature = "alloc")]
+pub(crate) use edges::{beyond, possible, solved};
 #[cfg(feature = "geometry")]
 pub use isocurve::Isocurve;
 pub use parts::BezierPatchOf;
@@ -208,6 +212,38 @@ pub trait Surface {
         self.partials_into(u, v, 3, partials.as_flattened_mut()).ok()?;
         let first = [[partials[0][0], partials[0][1]], [partials[1][0], partials[1][1]]];
         Curvature::new(&partials, regular_normal(&first, widths)?)
+    }
+
+    /// How smoothly `next`, a surface of any type, continues this one along an edge of each, at `samples` evenly spaced
+    /// parameters (at least two).
+    ///
+    /// The parameters along the edges correspond by the affine map. Between samples the figures may be larger; those of
+    /// polynomial surfaces of low degree differ little from the largest with 65 samples.
+    ///
+    /// ```
+    /// use basis_runtime::{BernsteinBasis, Edge, EdgePair, Orientation, Surface, TensorSurface};
+    ///
+    /// // Two sides of a roof.
+    /// let linear = BernsteinBasis::<f64, 2>::new();
+    /// let side = |net: [[[f64; 3]; 2]; 2]| TensorSurface::new(linear, linear, net);
+    /// let left = side([[[0.0, 0.0, 0.0], [0.0, 1.0, 1.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]]]);
+    /// let right = side([[[0.0, 1.0, 1.0], [0.0, 2.0, 0.0]], [[1.0, 1.0, 1.0], [1.0, 2.0, 0.0]]]);
+    /// let ridge = left.joint(EdgePair::along(Edge::VEnd, Edge::VStart), &right, 9);
+    /// assert_eq!(ridge.gap, 0.0);
+    /// assert!((ridge.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    /// assert_eq!(ridge.normals, Orientation::Same);
+    /// assert_eq!(ridge.geometric_order(1e-9, 1e-6, 1e-3), Some(0));
+    /// ```
+    fn joint(
+        &self,
+        edges: EdgePair,
+        next: &dyn Surface<Point = Self::Point>,
+        samples: usize,
+    ) -> EdgeJoint<ScalarOf<Self>>
+    where
+        Self::Point: Point3,
+    {
+        edges::measured(self, edges, next, samples)
     }
 }
 

@@ -4,6 +4,7 @@
 mod closed;
 mod constraints;
 mod constructions;
+mod continued;
 mod fitting;
 mod golden;
 mod joints;

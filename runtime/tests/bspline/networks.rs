@@ -2,7 +2,7 @@
 
 use basis_runtime::bspline::{
     BSplineSurface, Direction, Edge, EdgePair, FollowOptions, Followed, KnotVector, Method, Net, Network,
-    NetworkError, PointConstraint, Seam, SpliceOptions, measure_joint, splice,
+    NetworkError, PointConstraint, Seam, SpliceOptions,
 };
 use proptest::prelude::*;
 
@@ -67,7 +67,7 @@ fn dented(patch: &BSplineSurface<P3>, heights: [f64; 5]) -> BSplineSurface<P3> {
 #[track_caller]
 fn check(before: &Network<P3>, found: &Followed<P3>, tolerances: [f64; 2]) {
     for seam in 0..before.seams().len() {
-        let measure = found.network.measure(seam).unwrap();
+        let measure = found.network.joint_bounds(seam).unwrap();
         assert!(measure.gap <= tolerances[0] && measure.angle <= tolerances[1], "seam {seam}: {measure:?}");
     }
     for (index, (a, b)) in before.patches().iter().zip(found.network.patches()).enumerate() {
@@ -110,7 +110,7 @@ fn turned_and_mirrored_patches() {
     ];
     let network = Network::new(turned, seams).unwrap();
     for seam in 0..4 {
-        let measure = network.measure(seam).unwrap();
+        let measure = network.joint_bounds(seam).unwrap();
         assert!(measure.gap < 1e-14 && measure.angle < 1e-12, "{seam}: {measure:?}");
     }
     for leader in 0..4 {
@@ -130,13 +130,13 @@ fn ratios_that_vary_along_the_seam_are_kept_to_the_tolerance() {
     }
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     let options = SpliceOptions::default().method(Method::LeastSquares).angle(2e-5);
-    let left = splice(&left, &right, joint, &options).unwrap().surface;
+    let left = right.continued_within(joint.swapped(), &options, &left).unwrap().surface;
     let seam = Seam { patches: [0, 1], edges: EdgePair::along(Edge::UEnd, Edge::UStart) };
     let network = Network::new(vec![left, right], vec![seam]).unwrap();
     let deformed = dented(&network.patches()[1], [0.1, 0.02, 0.0, 0.05, 0.0]);
     let found = network.follow(1, &deformed, &FollowOptions::default()).unwrap();
     check(&network, &found, [1e-5, 1e-4]);
-    assert!(measure_joint(&network.patches()[0], &deformed, joint).unwrap().gap > 1e-3);
+    assert!(network.patches()[0].joint_bounds(joint, &deformed).unwrap().gap > 1e-3);
 }
 
 /// Four plane patches around a corner, `u` along the first and `v` along the second direction; the edges from the
@@ -229,11 +229,11 @@ fn a_seam_keeps_the_angle_it_had() {
         patch
     };
     let network = Network::grid(vec![turned(-1.0, 0.0), turned(0.0, 8e-5)], 1).unwrap();
-    let angle = network.measure(0).unwrap().angle;
+    let angle = network.joint_bounds(0).unwrap().angle;
     assert!((angle - 8e-5).abs() < 1e-9);
     for turn in [0.4, 1.2, -0.7] {
         let found = network.follow(0, &turned(-1.0, turn), &FollowOptions::default()).unwrap();
-        let after = found.network.measure(0).unwrap().angle;
+        let after = found.network.joint_bounds(0).unwrap().angle;
         assert!((after - angle).abs() < 1e-9, "{angle} became {after}");
     }
 }
@@ -260,7 +260,7 @@ fn hexagon() -> Network<P3> {
 fn corners_of_three_say_why_not() {
     let network = hexagon();
     for seam in 0..3 {
-        assert!(network.measure(seam).unwrap().gap < 1e-14);
+        assert!(network.joint_bounds(seam).unwrap().gap < 1e-14);
     }
     let mut deformed = network.patches()[0].clone();
     for (point, height) in deformed.control_points_mut().iter_mut().zip([0.1, 0.3, -0.2, 0.1]) {
@@ -319,14 +319,14 @@ fn what_is_refused() {
     let deformed = dented(&network.patches()[0], [0.1; 5]);
     let error = network.follow(0, &deformed, &FollowOptions::default()).unwrap_err();
     assert!(matches!(error, NetworkError::NotSmooth { .. }), "{error}");
-    assert!(error.to_string().contains("splice its patches first"));
+    assert!(error.to_string().contains("join its patches first"));
 
     let network = Network::grid(all, 2).unwrap();
     let error = network.follow(0, &network.patches()[3], &FollowOptions::default()).unwrap_err();
     assert!(matches!(error, NetworkError::Domain(_)), "{error}");
     let error = network.follow(7, &deformed, &FollowOptions::default()).unwrap_err();
     assert_eq!(error, NetworkError::Patch { patch: 7 });
-    assert_eq!(network.measure(9).unwrap_err(), NetworkError::NoSeam { seam: 9 });
+    assert_eq!(network.joint_bounds(9).unwrap_err(), NetworkError::NoSeam { seam: 9 });
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         for options in [FollowOptions::default().gap(bad), FollowOptions::default().angle(bad)] {
             let error = network.follow(0, &deformed, &options).unwrap_err();

@@ -1,10 +1,10 @@
 //! Splicing: all edges, orientations and methods; tolerances measured independently; what is refused.
 
+use basis_runtime::Surface;
 use basis_runtime::bspline::{
     BSplineSurface, Continuity, Direction, Edge, EdgeKnots, EdgePair, KnotVector, Method, Net, Orientation,
-    SecondRow, SpliceError, SpliceOptions, measure_joint, splice,
+    SecondRow, SpliceError, SpliceOptions,
 };
-use basis_runtime::edge_continuity;
 use proptest::prelude::*;
 
 #[cfg(feature = "nalgebra")]
@@ -98,7 +98,7 @@ fn every_edge_in_both_directions_by_every_method() {
                     let b = turned(&right, Edge::UStart, target, flips >= 2);
                     let joint = EdgePair::nearest(&a, edge, &b, target);
                     assert_eq!(joint.orientation == Orientation::Opposite, flips == 1 || flips == 2);
-                    let found = splice(&a, &b, joint, &options).unwrap();
+                    let found = b.continued_within(joint.swapped(), &options, &a).unwrap();
                     let (gap, angle) = independent(&found.surface, &b, joint);
                     assert!(gap <= options.gap && angle <= options.angle, "{options:?} {gap} {angle}");
                     // The opposite edge and its second row stay where they were.
@@ -138,7 +138,7 @@ fn the_published_method_solves_its_programmes() {
             .second_row(SecondRow::Kept)
             .edge_knots(EdgeKnots::Own);
         let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
-        let found = splice(&surface, &target, joint, &options).unwrap();
+        let found = target.continued_within(joint.swapped(), &options, &surface).unwrap();
         assert_eq!(found.rounds, 1);
         let [edge, inner] = rows(&case["spliced"]);
         assert_near(found.surface.net().row(3), &edge, 1e-10);
@@ -153,7 +153,7 @@ fn different_degrees() {
             let left = sheet(a, 5, -1.0, [0.5, -0.5, 3.0, 1.0]);
             let right = sheet(b, 7, 0.0, [0.4, 0.6, 3.1, -0.4]);
             let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
-            match splice(&left, &right, joint, &options) {
+            match right.continued_within(joint.swapped(), &options, &left) {
                 Ok(found) => {
                     let (gap, angle) = independent(&found.surface, &right, joint);
                     assert!(
@@ -191,7 +191,7 @@ fn ends_do_not_hinder_least_squares_over_own_knots() {
     for (second_row, spans) in [(SecondRow::Kept, 100), (SecondRow::Carried, 40)] {
         let options = SpliceOptions::default().method(Method::LeastSquares).edge_knots(EdgeKnots::Own);
         let options = options.second_row(second_row).spans(spans);
-        let found = splice(&left, &right, joint, &options).unwrap();
+        let found = right.continued_within(joint.swapped(), &options, &left).unwrap();
         let (gap, angle) = independent(&found.surface, &right, joint);
         assert!(gap <= options.gap && angle <= options.angle);
         // Tangents along the edge agree at its ends, but for rounding.
@@ -219,15 +219,45 @@ fn different_domains_and_single_precision() {
     let (left, right) = (sheet(knots(0.0, 1.0, 4), -1.0), sheet(knots(-2.0, 5.0, 7), 0.0));
     let joint = EdgePair::nearest(&left, Edge::UEnd, &right, Edge::UStart);
     for options in methods() {
-        let found = splice(&left, &right, joint, &options).unwrap();
-        assert!(found.measure.gap <= options.gap && found.measure.angle <= options.angle);
-        assert_eq!(found.measure, measure_joint(&found.surface, &right, joint).unwrap());
+        let found = right.continued_within(joint.swapped(), &options, &left).unwrap();
+        assert!(found.joint.gap <= options.gap && found.joint.angle <= options.angle);
+        assert_eq!(found.joint, right.joint_bounds(joint.swapped(), &found.surface).unwrap());
     }
     // A tolerance that single precision cannot meet.
     let options = SpliceOptions::default().gap(1e-12);
-    let error = splice(&left, &right, joint, &options).unwrap_err();
+    let error = right.continued_within(joint.swapped(), &options, &left).unwrap_err();
     let SpliceError::NotReached { achieved, .. } = error else { panic!("{error}") };
     assert!(achieved.gap > 1e-12 && achieved.gap < 1e-5);
+}
+
+/// Where figures are largest, and where there is no tangent plane, is said in the parameter of the surface that stays.
+#[test]
+fn places_are_those_of_the_surface_that_stays() {
+    let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
+    let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
+    let moved = |surface: &BSplineSurface<P3>| {
+        let [u, v] = [Direction::U, Direction::V].map(|direction| surface.knots(direction));
+        BSplineSurface::new(u.clone(), v.mapped([2.0, 6.0]).unwrap(), surface.net().clone()).unwrap()
+    };
+    for edges in [EdgePair::along(Edge::UStart, Edge::UEnd), EdgePair::against(Edge::UStart, Edge::UEnd)] {
+        let options = SpliceOptions::default().method(Method::LeastSquares).spans(13);
+        let [here, there] = [right.clone(), moved(&right)].map(|right| {
+            let error = right.continued_within(edges, &options, &left).unwrap_err();
+            let SpliceError::NotReached { achieved, .. } = error else { panic!("{error}") };
+            achieved
+        });
+        assert!((here.angle_at * 4.0 + 2.0 - there.angle_at).abs() < 1e-6, "{here:?} {there:?}");
+        // Without a tangent plane on the last span, where the row next to the edge lies on it.
+        let mut flat = moved(&right);
+        let columns = flat.net().columns();
+        for j in columns - 4..columns {
+            let edge = flat.net()[[0, j]];
+            flat.control_points_mut()[columns + j] = edge;
+        }
+        let error = flat.continued_within(edges, &SpliceOptions::default(), &left).unwrap_err();
+        let SpliceError::Degenerate { parameter } = error else { panic!("{error}") };
+        assert!((5.0..=6.0).contains(&parameter), "{parameter}");
+    }
 }
 
 #[test]
@@ -237,10 +267,10 @@ fn positions_only() {
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for options in methods() {
         let options = options.continuity(Continuity::G0);
-        let found = splice(&left, &right, joint, &options).unwrap();
+        let found = right.continued_within(joint.swapped(), &options, &left).unwrap();
         assert!(independent(&found.surface, &right, joint).0 <= options.gap);
         // Tangent planes are not touched on purpose.
-        assert!(found.measure.angle > 1e-3);
+        assert!(found.joint.angle > 1e-3);
     }
 }
 
@@ -252,14 +282,14 @@ fn the_change_is_how_far_the_rows_moved() {
     for method in [Method::LeastSquares, Method::Exact] {
         // Carried along, both rows move by a quarter.
         let options = SpliceOptions::default().method(method).continuity(Continuity::G0);
-        let found = splice(&left, &right, joint, &options).unwrap();
+        let found = right.continued_within(joint.swapped(), &options, &left).unwrap();
         assert!((found.change - 0.25).abs() < 1e-14);
         let options = options.method(method).second_row(SecondRow::Kept);
-        let found = splice(&left, &right, joint, &options).unwrap();
+        let found = right.continued_within(joint.swapped(), &options, &left).unwrap();
         assert!((found.change - 0.25).abs() < 1e-14);
     }
     // For a smooth joint the second row swings to the other side of the edge; no point moves further than `change`.
-    let found = splice(&left, &right, joint, &SpliceOptions::default()).unwrap();
+    let found = right.continued_within(joint.swapped(), &SpliceOptions::default(), &left).unwrap();
     let far = (0..=200).map(|i| {
         let t = f64::from(i) / 200.0;
         (0..=40)
@@ -284,7 +314,7 @@ fn positions_only_where_no_tangent_plane_is() {
     for target in [narrow, pole] {
         // The tangents to which the published method adjusts the edge do not exist at a pole.
         for options in methods().into_iter().filter(|options| !is_published(options)) {
-            let found = splice(&left, &target, joint, &options.continuity(Continuity::G0));
+            let found = target.continued_within(joint.swapped(), &options.continuity(Continuity::G0), &left);
             let found = found.unwrap();
             for i in 0..=100 {
                 let t = f64::from(i) / 100.0;
@@ -302,12 +332,12 @@ fn the_scale_of_the_parameters_has_no_say() {
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for surface in [left, folded] {
         for options in methods().into_iter().filter(|options| !is_published(options)) {
-            let expected = splice(&surface, &right, joint, &options).unwrap();
+            let expected = right.continued_within(joint.swapped(), &options, &surface).unwrap();
             for size in [2.0_f64.powi(-20), 2.0_f64.powi(20)] {
                 let [u, v] =
                     [Direction::U, Direction::V].map(|d| surface.knots(d).mapped([0.0, size]).unwrap());
                 let scaled = BSplineSurface::new(u, v, surface.net().clone()).unwrap();
-                let found = splice(&scaled, &right, joint, &options).unwrap();
+                let found = right.continued_within(joint.swapped(), &options, &scaled).unwrap();
                 // Powers of two are exact: the net is the same, bit by bit.
                 assert_eq!(found.surface.net(), expected.surface.net());
             }
@@ -321,11 +351,11 @@ fn surfaces_never_fold_back() {
     let lower = sheet(3, 5, 0.0, [0.0, 0.0, 3.0, 0.4]);
     let upper = sheet(3, 6, 0.0, [0.0, 0.0, 3.2, 0.3]);
     let joint = EdgePair::along(Edge::UStart, Edge::UStart);
-    let before = measure_joint(&lower, &upper, joint).unwrap();
+    let before = lower.joint_bounds(joint, &upper).unwrap();
     assert!(before.angle > 3.0); // the angle of a fold is near π, not near 0
     for method in [Method::LeastSquares, Method::Exact] {
         let options = SpliceOptions::default().method(method);
-        let found = splice(&lower, &upper, joint, &options).unwrap();
+        let found = upper.continued_within(joint.swapped(), &options, &lower).unwrap();
         let (gap, angle) = independent(&found.surface, &upper, joint);
         assert!(gap <= options.gap && angle <= options.angle);
     }
@@ -341,7 +371,7 @@ fn a_straight_edge() {
     let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for options in methods() {
-        let found = splice(&left, &right, joint, &options).unwrap();
+        let found = right.continued_within(joint.swapped(), &options, &left).unwrap();
         let (gap, angle) = independent(&found.surface, &right, joint);
         assert!(gap <= options.gap && angle <= options.angle);
     }
@@ -354,23 +384,29 @@ fn what_is_refused() {
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let options = SpliceOptions::default().angle(bad);
-        assert!(matches!(splice(&left, &right, joint, &options), Err(SpliceError::Tolerance { .. })));
+        assert!(matches!(
+            right.continued_within(joint.swapped(), &options, &left),
+            Err(SpliceError::Tolerance { .. })
+        ));
     }
     let options = SpliceOptions::default().method(Method::LeastSquares).spans(13);
-    let error = splice(&left, &right, joint, &options).unwrap_err();
+    let error = right.continued_within(joint.swapped(), &options, &left).unwrap_err();
     let SpliceError::NotReached { achieved, spans, .. } = error else { panic!("{error}") };
     assert!(spans <= 13 && achieved.angle > 1e-4 && error.to_string().contains("wanted 1.000e-4"));
 
     // Below all rounding errors.
     let impossible = options.angle(1e-300).spans(1000);
-    let error = splice(&left, &right, joint, &impossible).unwrap_err();
+    let error = right.continued_within(joint.swapped(), &impossible, &left).unwrap_err();
     assert!(matches!(error, SpliceError::NotReached { .. }), "{error}");
 
     let mut broken = left.clone();
     let last = broken.control_points_mut().len() - 1;
     broken.control_points_mut()[last] = [f64::NAN; 3];
     let options = SpliceOptions::default();
-    assert_eq!(splice(&broken, &right, joint, &options).unwrap_err(), SpliceError::NotFinite);
+    assert_eq!(
+        right.continued_within(joint.swapped(), &options, &broken).unwrap_err(),
+        SpliceError::NotFinite
+    );
 
     // A target whose edge and second row are one point.
     let mut point = right.clone();
@@ -378,10 +414,10 @@ fn what_is_refused() {
     for p in &mut point.control_points_mut()[..2 * columns] {
         *p = [0.0; 3];
     }
-    let error = splice(&left, &point, joint, &options).unwrap_err();
+    let error = point.continued_within(joint.swapped(), &options, &left).unwrap_err();
     assert!(matches!(error, SpliceError::Degenerate { .. }), "{error}");
     for [a, b] in [[&left, &point], [&turned(&point, Edge::UStart, Edge::UEnd, false), &left]] {
-        let error = measure_joint(a, b, joint).unwrap_err().to_string();
+        let error = a.joint_bounds(joint, b).unwrap_err().to_string();
         assert!(
             error.starts_with("a surface has no tangent plane at the parameter 0 of the joint"),
             "{error}"
@@ -404,7 +440,7 @@ proptest! {
         let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
         for method in [Method::LeastSquares, Method::Exact] {
             let options = SpliceOptions::default().method(method);
-            let found = splice(&left, &right, joint, &options).unwrap();
+            let found = right.continued_within(joint.swapped(), &options, &left).unwrap();
             let (gap, angle) = independent(&found.surface, &right, joint);
             prop_assert!(gap <= options.gap && angle <= options.angle);
         }
@@ -417,7 +453,7 @@ proptest! {
         let joint = EdgePair { first: edge, second: target, orientation };
         for options in methods() {
             let options = options.spans(30);
-            match splice(&left, &right, joint, &options) {
+            match right.continued_within(joint.swapped(), &options, &left) {
                 Ok(found) => {
                     let (gap, angle) = independent(&found.surface, &right, joint);
                     prop_assert!(gap <= options.gap && angle <= options.angle, "{} {}", gap, angle);
@@ -426,7 +462,7 @@ proptest! {
                 // differences of numbers that nearly agree, and the bound of the angle holds for all that rounding can
                 // have done to them.
                 Err(e) if options.method == Method::Exact => {
-                    let flat = measure_joint(&left, &right, joint).is_err();
+                    let flat = left.joint_bounds(joint, &right).is_err();
                     prop_assert!(flat || least_normal(&right, joint) < 1e-3, "{} {}", e, least_normal(&right, joint));
                 }
                 Err(_) => {}
@@ -450,13 +486,14 @@ fn curvatures_are_continuous() {
                 let b = turned(&right, Edge::UStart, target, flips >= 2);
                 let joint = EdgePair::nearest(&a, edge, &b, target);
                 let curvature = |continuity| {
-                    let found = splice(&a, &b, joint, &options.continuity(continuity)).unwrap();
+                    let found =
+                        b.continued_within(joint.swapped(), &options.continuity(continuity), &a).unwrap();
                     let opposite = edge.opposite();
                     for t in [0.0, 0.3, 1.0] {
                         let [p, q] = [&a, &found.surface].map(|surface| at_edge(surface, opposite, t, 1.0));
                         assert!(distance(p.0, q.0) < 1e-13 && distance(p.1, q.1) < 1e-11);
                     }
-                    let measured = edge_continuity(&found.surface, &b, joint, 129);
+                    let measured = found.surface.joint(joint, &b, 129);
                     assert!(measured.gap < 1e-13 && measured.angle < 1e-12, "{measured:?}");
                     (measured.curvature, found.change)
                 };
@@ -469,7 +506,7 @@ fn curvatures_are_continuous() {
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     let sheets = [-1.0, 0.0].map(|from| sheet(3, 2, from, [0.0; 4]));
     let options = options.continuity(Continuity::G2).method(Method::LeastSquares);
-    let refused = splice(&sheets[0], &sheets[1], joint, &options).unwrap_err();
+    let refused = sheets[1].continued_within(joint.swapped(), &options, &sheets[0]).unwrap_err();
     assert_eq!(refused, SpliceError::Curvatures);
 }
 
@@ -479,7 +516,9 @@ fn the_change_counts_all_rows() {
     let a = sheet(3, 4, -1.0, [1.0, -0.5, 4.0, 1.0]);
     let b = sheet(3, 5, 0.0, [0.8, 0.6, 9.2, -6.4]);
     let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
-    let found = splice(&a, &b, joint, &SpliceOptions::default().continuity(Continuity::G2)).unwrap();
+    let found = b
+        .continued_within(joint.swapped(), &SpliceOptions::default().continuity(Continuity::G2), &a)
+        .unwrap();
     let places = || (0..=40).flat_map(|i| (0..=40).map(move |j| [i, j].map(|x| f64::from(x) / 40.0)));
     let moved = places().map(|[u, v]| distance(a.eval(u, v), found.surface.eval(u, v))).fold(0.0, f64::max);
     assert!(moved > 0.1 && moved <= found.change * (1.0 + 1e-9), "{moved}, {}", found.change);

@@ -2,9 +2,9 @@
 
 use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, NurbsSurface};
 use basis_runtime::{
-    AnyCurve, BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, Isocurve, ParametricCurve,
-    Path, PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution,
-    TensorSurface, Tessellation, TriangularBezier,
+    AnyCurve, BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, EdgePair, Isocurve,
+    ParametricCurve, Path, PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface,
+    SurfaceOfRevolution, TensorSurface, Tessellation, TriangleContact, TriangularBezier,
 };
 
 #[cfg(feature = "macros")]
@@ -123,12 +123,18 @@ macro_rules! ask_curve {
 
 /// The queries of surfaces.
 macro_rules! ask_surface {
+    // Of rows of control points: a surface of the type of this one, of which it may be a reference.
+    ($surface:expr; continues $next:expr) => {{
+        let mut names = ask_surface!($surface);
+        names.extend(ask! { $surface => continued(ACROSS, Contact::Tangent { f: 1.0 }, $next); });
+        names
+    }};
     ($surface:expr, $($more:tt)*) => {{
         let surface = $surface;
         let mut names = ask! { surface =>
             domain(); eval(0.3, 0.4); eval_checked(0.3, 0.4); eval_clamped(0.3, 0.4); eval_grid(&[0.1], &[0.2], &mut [[0.0; 3]; 1]); partial(0.3, 0.4, [1, 1]);
             partials_into(0.3, 0.4, 2, &mut [[0.0; 3]; 4]); normal(0.3, 0.4); curvature(0.3, 0.4); pieces();
-            control_box(); bounding_box(); area(1e-3); nearest([0.0; 3], 1e-3);
+            control_box(); bounding_box(); area(1e-3); nearest([0.0; 3], 1e-3); joint(ACROSS, &plane_patch(), 3);
             ray_intersections([0.0; 3], [0.0, 0.0, 1.0], 1e-3); line_intersections([0.0; 3], [0.0, 0.0, 1.0], 1e-3);
         };
         let _ = Tessellation::new(0.5).unwrap().with(&surface).mesh();
@@ -146,8 +152,12 @@ macro_rules! ask_surface {
 /// A right angle about the third axis, in rows.
 const TURN: [[f64; 3]; 3] = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 
+/// An edge across which a surface can be continued.
+const ACROSS: EdgePair = EdgePair::along(Edge::UEnd, Edge::UStart);
+
 /// The queries that are neither of a trait.
-const PARTS: [&str; 6] = ["split", "subpatch", "reversed", "with", "map", "transform"];
+const PARTS: [&str; 8] =
+    ["split", "subpatch", "reversed", "with", "map", "transform", "joint_bounds", "continued"];
 
 fn plane_patch() -> BSplineSurface<[f64; 3]> {
     BSplineSurface::from_bezier(Net::from_fn(2, 2, |i, j| [i as f64, j as f64, 0.5]).unwrap()).unwrap()
@@ -228,15 +238,20 @@ fn of_surfaces() {
     #[cfg(not(feature = "macros"))]
     let sheet = ask_surface!(&spline);
     let asked = [
-        ("`TensorSurface`", ask_surface!(tensor)),
-        ("`RationalSurface`", ask_surface!(rational)),
-        ("`SurfaceOfRevolution`", ask_surface!(revolved)),
-        ("`BSplineSurface`", ask_surface!(&spline)),
-        ("`NurbsSurface`", ask_surface!(&nurbs)),
+        ("`TensorSurface`", ask_surface!(tensor; continues &tensor)),
+        ("`RationalSurface`", ask_surface!(rational; continues &rational)),
+        ("`SurfaceOfRevolution`", ask_surface!(revolved; continues &revolved)),
+        ("`BSplineSurface`", {
+            let mut names = ask_surface!(&spline; continues &spline);
+            names.extend(ask! { &spline => joint_bounds(ACROSS, &spline); });
+            names
+        }),
+        ("`NurbsSurface`", ask_surface!(&nurbs; continues &nurbs)),
         (
             "`TriangularPatch`",
             ask_surface!(triangle,
-                eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p); transform(&TURN);),
+                eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p); transform(&TURN);
+                continued(EdgePair::against(Edge::VEnd, Edge::VEnd), TriangleContact { order: 0, apex: [1.0, 1.0, -1.0] }, &triangle);),
         ),
         ("`BoxPatch`", sheet),
         ("dyn", {

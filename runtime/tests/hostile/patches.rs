@@ -1,8 +1,8 @@
 //! Patches on triangles, tetrahedra and boxes.
 
 use basis_runtime::{
-    BoxPatch, Direction, EdgeBasis, SimplexBasis as _, SimplexIndex, SimplexPatch, Surface, SurfacePiece,
-    TetrahedronIndex, TriangleContact, TriangleEdge, TriangleIndex, TriangularBernsteinBasis,
+    BoxPatch, Direction, Edge, EdgeBasis, EdgePair, SimplexBasis as _, SimplexIndex, SimplexPatch, Surface,
+    SurfacePiece, TetrahedronIndex, TriangleContact, TriangleEdge, TriangleIndex, TriangularBernsteinBasis,
     TriangularBezier, TriangularPatch, basis,
 };
 
@@ -47,9 +47,10 @@ const TRIANGLE: &[Case<Triangle>] = &[
         TriangleEdge::ALL.iter().all(|&edge| !a.is_nan() || is_nan(s.edge_curve(edge).eval(a)))
     }),
     ("edge", |s, _, _| s.edge_curve(TriangleEdge::V).basis().edge() == TriangleEdge::V),
+    ("of", |_, _, _| TriangleEdge::ALL.iter().all(|&edge| TriangleEdge::of(Edge::from(edge)) == Some(edge))),
     ("point", |_, a, _| TriangleEdge::ALL.iter().all(|edge| edge.point(a).contains(&0.0))),
     ("index", |_, _, _| {
-        TriangleEdge::U.index(3, usize::MAX).components() == [0, 0, 3]
+        TriangleEdge::U.index(3, usize::MAX).components() == [0, 3, 0]
             && TriangleEdge::W.index(usize::MAX, 1).order() == usize::MAX
     }),
     ("control_box", |s, _, _| is_box(s.control_box())),
@@ -73,8 +74,11 @@ const TRIANGLE: &[Case<Triangle>] = &[
     }),
     ("continued", |s, a, b| {
         [0, 1, 3, 4, usize::MAX].into_iter().all(|order| {
-            s.continued(TriangleEdge::V, TriangleContact { order, apex: [0.5, a, b] }, s)
-                .map_or(true, |next| next.control_points().iter().all(|&p| is_finite(p)))
+            Edge::ALL.into_iter().all(|edge| {
+                let contact = TriangleContact { order, apex: [0.5, a, b] };
+                let next = s.continued(EdgePair::along(Edge::VStart, edge), contact, s);
+                next.map_or(true, |next| next.control_points().iter().all(|&p| is_finite(p)))
+            })
         })
     }),
     ("triangular", |s, a, _| {

@@ -4,10 +4,10 @@
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, Direction, Edge, EdgeKnots, EdgePair, FollowOptions, Homogeneous,
     KnotVector, Method, Net, Network, NurbsCurve, NurbsSurface, PointConstraint, SecondRow, Spacing,
-    SpliceOptions, measure_joint, parameters, splice,
+    SpliceOptions, parameters,
 };
 
-use basis_runtime::{ParametricCurve, Surface};
+use basis_runtime::{Contact, ParametricCurve, Surface};
 
 use crate::{Case, P, check, is_finite, is_length, is_nan, pair};
 
@@ -355,30 +355,44 @@ const SURFACE: &[Case<S>] = &[
         S::fit([knots(), knots()], [&u, &v], s.net()).map_or(true, |_| (0.0..=1.0).contains(&a))
     }),
     ("EdgePair::nearest", |s, _, _| EdgePair::nearest(s, Edge::UEnd, s, Edge::VStart).second == Edge::VStart),
-    ("measure_joint", |s, a, b| {
+    ("BSplineSurface::joint_bounds", |s, a, b| {
         let [edge, target] = [a, b].map(|x| if x > 0.0 { Edge::UEnd } else { Edge::VStart });
         let joint = pair(edge, target, a > b);
-        measure_joint(s, s, joint).map_or(true, |m| m.gap >= 0.0 && (0.0..=3.2).contains(&m.angle))
+        s.joint_bounds(joint, s).map_or(true, |m| m.gap >= 0.0 && (0.0..=3.2).contains(&m.angle))
     }),
-    ("splice", |s, a, b| {
+    ("JointBounds::geometric_order", |s, a, b| {
+        let joint = s.joint_bounds(EdgePair::along(Edge::UEnd, Edge::UStart), s);
+        joint.map_or(true, |joint| joint.geometric_order(a, b).is_none_or(|k| k <= 1))
+    }),
+    ("BSplineSurface::continued", |s, a, b| {
+        let joint = pair(Edge::UEnd, Edge::VStart, b > 0.0);
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|order| {
+            let contact =
+                if order == 2 { Contact::Curvature { f: a, c: b } } else { Contact::Scaled { order, f: a } };
+            s.continued(joint, contact, s).map_or(true, |next| order <= next.degrees()[1])
+        })
+    }),
+    ("BSplineSurface::continued_within", |s, a, b| {
         let joint = pair(Edge::UEnd, Edge::VStart, b > 0.0);
         [Method::LeastSquares, Method::Exact].into_iter().all(|method| {
             let options = SpliceOptions::default().method(method).gap(a).angle(b).spans(6);
-            splice(s, s, joint, &options)
-                .map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
+            s.continued_within(joint.swapped(), &options, s)
+                .map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
         })
     }),
     ("SpliceOptions::second_row", |s, a, b| {
         let joint = pair(Edge::UEnd, Edge::VStart, a > 0.0);
         let options = SpliceOptions::default().method(Method::LeastSquares).second_row(SecondRow::Kept);
         let options = options.gap(a).angle(b).spans(6);
-        splice(s, s, joint, &options).map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
+        s.continued_within(joint.swapped(), &options, s)
+            .map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
     }),
     ("SpliceOptions::edge_knots", |s, a, b| {
         let joint = pair(Edge::UEnd, Edge::VStart, a > 0.0);
         let options = SpliceOptions::default().method(Method::LeastSquares).edge_knots(EdgeKnots::Own);
         let options = options.gap(a).angle(b).spans(6);
-        splice(s, s, joint, &options).map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
+        s.continued_within(joint.swapped(), &options, s)
+            .map_or(true, |found| found.joint.gap <= a && found.joint.angle <= b)
     }),
     ("Network::new", |s, _, _| Network::new(vec![s.clone()], Vec::new()).is_ok()),
     ("Network::grid", |s, _, _| {
@@ -389,9 +403,9 @@ const SURFACE: &[Case<S>] = &[
         Network::grid(vec![s.clone(); 2], 2).is_ok_and(|n| n.patches().len() == 2)
     }),
     ("Network::seams", |s, _, _| Network::grid(vec![s.clone(); 2], 1).is_ok_and(|n| n.seams().len() == 1)),
-    ("Network::measure", |s, _, _| {
+    ("Network::joint_bounds", |s, _, _| {
         let network = Network::grid(vec![s.clone(); 2], 2).unwrap();
-        network.measure(usize::MAX).is_err() && network.measure(0).map_or(true, |m| m.gap >= 0.0)
+        network.joint_bounds(usize::MAX).is_err() && network.joint_bounds(0).map_or(true, |m| m.gap >= 0.0)
     }),
     ("Network::follow", |s, a, b| {
         let network = Network::grid(vec![s.clone(); 2], 2).unwrap();
@@ -427,6 +441,16 @@ const NURBS_SURFACE: &[Case<RationalSurface>] = &[
     ("NurbsSurface::map", |s, a, b| s.map(|p| [a, b, p[0]]).weights() == s.weights()),
     ("NurbsSurface::from_homogeneous", |s, _, _| {
         RationalSurface::from_homogeneous(s.homogeneous().clone()).is_ok()
+    }),
+    ("NurbsSurface::continued", |s, a, b| {
+        let joint = pair(Edge::UEnd, Edge::VStart, b > 0.0);
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|order| {
+            let contact =
+                if order == 2 { Contact::Curvature { f: a, c: b } } else { Contact::Scaled { order, f: a } };
+            s.continued(joint, contact, s).map_or(true, |next| {
+                order <= 3 && next.weights().as_slice().iter().all(|&w| w > 0.0 && w.is_finite())
+            })
+        })
     }),
     ("NurbsSurface::homogeneous", |s, _, _| s.homogeneous().degrees() == [2, 3]),
     ("NurbsSurface::degrees", |s, _, _| s.degrees() == [2, 3]),

@@ -3,7 +3,7 @@
 use basis_runtime::{
     BoundedSurface, Contact, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, Orientation, ParametricCurve,
     RationalSurface, Surface, SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation,
-    Vertex, basis, edge_continuity, half_turn_parameter,
+    Vertex, basis, half_turn_parameter,
 };
 
 use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit, pair};
@@ -150,24 +150,24 @@ const TENSOR: &[Case<Tensor>] = &[
             })
         })
     }),
-    ("edge_continuity", |s, a, b| {
+    ("joint", |s, a, b| {
         a != 0.0
             || [0, 1, 2, 5].into_iter().all(|samples| {
-                let joint = edge_continuity(s, s, pair(Edge::UEnd, Edge::VStart, b > 0.0), samples);
+                let joint = s.joint(pair(Edge::UEnd, Edge::VStart, b > 0.0), s, samples);
                 is_length(joint.gap) && is_length(joint.angle) && is_length(joint.curvature)
             })
     }),
     ("against", |s, _, _| {
         let pair = EdgePair::against(Edge::UEnd, Edge::VStart);
-        pair.orientation == Orientation::Opposite && is_length(edge_continuity(s, s, pair, 3).gap)
+        pair.orientation == Orientation::Opposite && is_length(s.joint(pair, s, 3).gap)
     }),
     ("swapped", |_, a, b| {
         let joint = pair(Edge::UEnd, Edge::VStart, a > b);
         joint.swapped() == pair(Edge::VStart, Edge::UEnd, a > b)
     }),
-    ("order", |s, a, b| {
-        edge_continuity(s, s, EdgePair::along(Edge::UEnd, Edge::UStart), 2)
-            .order(a, b, a)
+    ("geometric_order", |s, a, b| {
+        s.joint(EdgePair::along(Edge::UEnd, Edge::UStart), s, 2)
+            .geometric_order(a, b, a)
             .is_none_or(|k| k <= 2)
     }),
     ("on_edge", |s, a, _| {
@@ -225,6 +225,14 @@ const RATIONAL: &[Case<Rational>] = &[
     ("control_point", |s, _, _| {
         s.control_point(4, 0).is_none() && s.control_point(usize::MAX, usize::MAX).is_none()
     }),
+    ("continued", |s, a, b| {
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|order| {
+            let contact =
+                if order == 2 { Contact::Curvature { f: a, c: b } } else { Contact::Scaled { order, f: a } };
+            let next = s.continued(pair(Edge::UEnd, Edge::VStart, b > 0.0), contact, s);
+            next.map_or(true, |next| order <= 3 && next.control_point(9, 0).is_none())
+        })
+    }),
     ("control_box", |s, _, _| is_box(s.control_box())),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
 ];
@@ -243,6 +251,13 @@ const REVOLVED: &[Case<Revolved>] = &[
     ("transform", |s, a, b| {
         let image = s.transform(&[[a, 0.0, 0.0, b], [0.0, a, 0.0, 0.0], [0.0, 0.0, b, 0.0]]);
         image.map_or(true, |t| !a.is_nan() && !b.is_nan() && t.angle() == s.angle())
+    }),
+    ("continued", |s, a, b| {
+        Edge::ALL.into_iter().all(|edge| {
+            let contact = Contact::Curvature { f: a, c: b };
+            let next = s.continued(EdgePair::against(edge, Edge::UEnd), contact, s);
+            next.map_or(true, |next| !edge.runs_along_u() && next.angle() == s.angle())
+        })
     }),
     ("angle", |s, _, _| s.angle() == 4.0),
     ("generatrix", |s, _, _| s.generatrix().control_points().len() == 4),

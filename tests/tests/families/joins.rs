@@ -2,8 +2,7 @@
 //! curves and surfaces, which know nothing of the formulas.
 
 use basis_runtime::{
-    Contact, Curve, CurveError, Edge, EdgeContinuity, EdgePair, Orientation, TensorSurface, basis,
-    edge_continuity,
+    Contact, Curve, CurveError, Edge, EdgeJoint, EdgePair, Orientation, Surface, TensorSurface, basis,
 };
 use basis_tests::random::Random;
 
@@ -200,9 +199,9 @@ fn surface(
 }
 
 /// The order of contact and whether the normals point to the same side.
-fn measured(joint: EdgeContinuity<f64>) -> (Option<usize>, Orientation) {
+fn measured(joint: EdgeJoint<f64>) -> (Option<usize>, Orientation) {
     assert_eq!(joint.without_normal, 0);
-    (joint.order(1e-13, 1e-11, 1e-9), joint.normals)
+    (joint.geometric_order(1e-13, 1e-11, 1e-9), joint.normals)
 }
 
 #[test]
@@ -219,7 +218,7 @@ fn surfaces_join_u_u() {
             row[..2].copy_from_slice(&new);
         }
         let next = surface(lambda, g2, &t);
-        let joint = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
+        let joint = first.joint(EdgePair::along(Edge::VEnd, Edge::VStart), &next, 33);
         assert_eq!(measured(joint), (Some(1), Orientation::Same), "{joint:?}");
         // The published steps: everything but the last column.
         let steps =
@@ -228,7 +227,7 @@ fn surfaces_join_u_u() {
             row[..3].copy_from_slice(&new);
         }
         let next = surface(lambda, g2, &t);
-        let joint = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
+        let joint = first.joint(EdgePair::along(Edge::VEnd, Edge::VStart), &next, 33);
         assert_eq!(measured(joint), (Some(2), Orientation::Same), "{joint:?}");
     }
 }
@@ -245,15 +244,13 @@ fn surfaces_join_u_v_with_opposite_normals() {
         t[..2].copy_from_slice(
             &quartic_surface::g1_uv(&s, quartic_surface::G1UvScalars { gamma1: g1, lambda2: l2, f }).unwrap(),
         );
-        let joint =
-            edge_continuity(&first, &surface(l2, gamma, &t), EdgePair::along(Edge::VEnd, Edge::UStart), 33);
+        let joint = first.joint(EdgePair::along(Edge::VEnd, Edge::UStart), &surface(l2, gamma, &t), 33);
         assert_eq!(measured(joint), (Some(1), Orientation::Opposite), "{joint:?}");
         let gamma = [l1, l1, l1, random.between(-2.5, 1.0)];
         t[..3].copy_from_slice(
             &quartic_surface::g2_uv(&s, quartic_surface::G2UvScalars { gamma1: g1, lambda2: l2, f }).unwrap(),
         );
-        let joint =
-            edge_continuity(&first, &surface(l2, gamma, &t), EdgePair::along(Edge::VEnd, Edge::UStart), 33);
+        let joint = first.joint(EdgePair::along(Edge::VEnd, Edge::UStart), &surface(l2, gamma, &t), 33);
         assert_eq!(measured(joint), (Some(2), Orientation::Opposite), "{joint:?}");
     }
 }
@@ -272,14 +269,14 @@ fn surfaces_join_v_v() {
                 .unwrap(),
         );
         let next = surface(l2, [eta, eta, other, other], &t);
-        let joint = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
+        let joint = first.joint(EdgePair::along(Edge::UEnd, Edge::UStart), &next, 33);
         assert_eq!(measured(joint), (Some(1), Orientation::Same), "{joint:?}");
         t[..3].copy_from_slice(
             &quartic_surface::g2_vv(&s, quartic_surface::G2VvScalars { lambda1: l1, lambda2: l2, f })
                 .unwrap(),
         );
         let next = surface(l2, [eta, eta, eta, other], &t);
-        let joint = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
+        let joint = first.joint(EdgePair::along(Edge::UEnd, Edge::UStart), &next, 33);
         assert_eq!(measured(joint), (Some(2), Orientation::Same), "{joint:?}");
     }
 }

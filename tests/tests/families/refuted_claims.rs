@@ -1,9 +1,7 @@
 //! Every published claim that is refuted fails on floats, too, and its correction holds; the claims are stated and
 //! decided in `specs/papers`.
 
-use basis_runtime::{
-    Curve, Edge, EdgePair, Surface, SurfaceOfRevolution, TensorSurface, basis, edge_continuity,
-};
+use basis_runtime::{Curve, Edge, EdgePair, Surface, SurfaceOfRevolution, TensorSurface, basis};
 use basis_tests::random::Random;
 
 basis!("../../../specs/quadratic.basis", QuadraticBezier);
@@ -248,7 +246,7 @@ fn order(
     next: &TensorSurface<QuarticBernstein, QuarticBernstein, [f64; 3]>,
     other: Edge,
 ) -> Option<usize> {
-    edge_continuity(first, next, EdgePair::along(edge, other), 33).order(1e-13, 1e-11, 1e-9)
+    first.joint(EdgePair::along(edge, other), next, 33).geometric_order(1e-13, 1e-11, 1e-9)
 }
 
 /// The parameter γ' with 3 + γ' = k (3 + γ).

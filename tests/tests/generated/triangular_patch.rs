@@ -101,14 +101,9 @@ fn edges<B: TriangularBasis<Scalar = S> + ShippedPatch<Scalar = S>, S: Scalar>(o
                 assert!(rest.abs() <= 8.0 * epsilon::<S>(), "{}", B::NAME);
             }
         }
-        // Once around the triangle.
-        for (edge, next) in [
-            (TriangleEdge::U, TriangleEdge::V),
-            (TriangleEdge::V, TriangleEdge::W),
-            (TriangleEdge::W, TriangleEdge::U),
-        ] {
-            assert_eq!(patch.edge_curve(edge).end(), patch.edge_curve(next).start());
-        }
+        // From the corner w = 1 to both others, and between these.
+        let [u, v, w] = TriangleEdge::ALL.map(|edge| patch.edge_curve(edge));
+        assert_eq!((u.start(), v.end(), w.start()), (v.start(), w.end(), u.end()));
     }
 }
 

@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-use crate::bspline::{JointMeasure, KnotError, SpliceError};
+use crate::bspline::{JointBounds, KnotError, SpliceError};
 
 /// A network that is not one, or whose patches cannot follow one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ pub enum NetworkError {
         /// The seam.
         seam: usize,
         /// How its patches met.
-        measure: JointMeasure,
+        joint: JointBounds,
     },
     /// A seam cannot be read, or its equations not be solved.
     Seam {
@@ -66,14 +66,14 @@ pub enum NetworkError {
         /// The seam that is not smooth for this reason.
         worst: usize,
         /// Its figures.
-        achieved: JointMeasure,
+        achieved: JointBounds,
     },
     /// The deformed patch meets itself along a seam, and its two edges were not deformed alike.
     Ring {
         /// The seam.
         seam: usize,
         /// How its edges meet.
-        achieved: JointMeasure,
+        achieved: JointBounds,
     },
     /// Two patches that both follow also meet each other, in a corner of three or of five and more patches, and their
     /// changes do not fit.
@@ -81,7 +81,7 @@ pub enum NetworkError {
         /// The seam between them.
         seam: usize,
         /// How they would meet.
-        achieved: JointMeasure,
+        achieved: JointBounds,
     },
     /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar
     /// type.
@@ -89,13 +89,13 @@ pub enum NetworkError {
         /// The worst seam.
         seam: usize,
         /// Its figures.
-        achieved: JointMeasure,
+        achieved: JointBounds,
     },
 }
 
 impl Display for NetworkError {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let figures = |f: &mut Formatter<'_>, m: &JointMeasure| {
+        let figures = |f: &mut Formatter<'_>, m: &JointBounds| {
             write!(f, "gap {:.3e}, angle {:.3e} rad at the parameter {}", m.gap, m.angle, m.angle_at)
         };
         match self {
@@ -109,10 +109,10 @@ impl Display for NetworkError {
             }
             Self::EdgeTwice { seam } => write!(f, "seam {seam} joins an edge that belongs to another seam"),
             Self::Domain(error) => write!(f, "the deformed patch: {error}"),
-            Self::NotSmooth { seam, measure } => {
+            Self::NotSmooth { seam, joint } => {
                 write!(f, "seam {seam} was not smooth before: ")?;
-                figures(f, measure)?;
-                f.write_str("; splice its patches first")
+                figures(f, joint)?;
+                f.write_str("; join its patches first, by `continued_within`")
             }
             Self::Seam { seam, error } => write!(f, "seam {seam}: {error}"),
             Self::Twist { patch, seams: [a, b], mismatch, worst, achieved } => {

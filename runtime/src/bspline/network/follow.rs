@@ -9,7 +9,7 @@ use crate::bspline::splice::AIM;
 use crate::bspline::splice::measure::{Piece, measure, middles};
 use crate::bspline::splice::strip::{Strip, Vector, along, place};
 use crate::bspline::{
-    BSplineSurface, Continuity, Direction, Edge, JointMeasure, KnotError, SpliceError, rows,
+    BSplineSurface, Continuity, Direction, Edge, JointBounds, KnotError, SpliceError, rows,
 };
 use crate::vector::length;
 use crate::{Point, Point3, Scalar};
@@ -64,13 +64,13 @@ pub(super) fn follow<P: Point3>(
         let figures = figures(network, &round)?;
         if number == 0 {
             for (seam, _, _) in &figures {
-                let measure = network.measure(*seam)?;
-                if measure.gap > options.gap || measure.angle > options.angle {
-                    return Err(NetworkError::NotSmooth { seam: *seam, measure });
+                let joint = network.joint_bounds(*seam)?;
+                if joint.gap > options.gap || joint.angle > options.angle {
+                    return Err(NetworkError::NotSmooth { seam: *seam, joint });
                 }
             }
         }
-        let excess = |m: &JointMeasure| m.excess(options.gap, options.angle);
+        let excess = |m: &JointBounds| m.excess(options.gap, options.angle);
         let worst = figures.iter().max_by(|a, b| excess(&a.1).total_cmp(&excess(&b.1)));
         let Some(&(seam, achieved, _)) = worst.filter(|(_, measured, _)| excess(measured) > 1.0) else {
             return Ok(followed(network, &round, &figures));
@@ -270,7 +270,7 @@ fn largest_change<P: Point3>(old: &BSplineSurface<P>, new: &BSplineSurface<P>) -
 }
 
 /// The figures of all seams of changed patches, and those of the pieces of each.
-type Figures = Vec<(usize, JointMeasure, Vec<Piece>)>;
+type Figures = Vec<(usize, JointBounds, Vec<Piece>)>;
 
 fn figures<P: Point3>(network: &Network<P>, round: &Round<P>) -> Result<Figures, NetworkError> {
     let mut all = Vec::new();
@@ -327,7 +327,7 @@ fn explain<P: Point3>(
     network: &Network<P>,
     round: &Round<P>,
     worst: usize,
-    achieved: JointMeasure,
+    achieved: JointBounds,
     options: &FollowOptions,
 ) -> NetworkError {
     let seam = &network.seams[worst];

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 
 pub use error::NetworkError;
 
-use super::{BSplineSurface, Direction, Edge, EdgePair, JointMeasure, measure_joint};
+use super::{BSplineSurface, Direction, Edge, EdgePair, JointBounds};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::{Point, Point3};
@@ -84,8 +84,8 @@ pub struct Followed<P: Point> {
     pub network: Network<P>,
     /// The patches that changed, the deformed one first. All others are bit by bit the same.
     pub changed: Vec<usize>,
-    /// The seams of these patches, with gap and angle of each.
-    pub seams: Vec<(usize, JointMeasure)>,
+    /// The seams of these patches, with bounds of gap and angle of each, at parameters of the patch that followed.
+    pub seams: Vec<(usize, JointBounds)>,
 }
 
 impl<P: Point3> Network<P> {
@@ -142,15 +142,16 @@ impl<P: Point3> Network<P> {
         &self.seams
     }
 
-    /// The gap and the angle of a seam.
+    /// Bounds of the gap and of the angle of a seam, for all of its parameters: [`BSplineSurface::joint_bounds`].
     ///
     /// # Errors
-    /// [`NetworkError::NoSeam`], or [`NetworkError::Seam`] if it cannot be measured.
-    pub fn measure(&self, seam: usize) -> Result<JointMeasure, NetworkError> {
+    /// [`NetworkError::NoSeam`], or [`NetworkError::Seam`] if there are none.
+    pub fn joint_bounds(&self, seam: usize) -> Result<JointBounds, NetworkError> {
         let Some(&Seam { patches: [a, b], edges }) = self.seams.get(seam) else {
             return Err(NetworkError::NoSeam { seam });
         };
-        measure_joint(&self.patches[a], &self.patches[b], edges)
+        self.patches[a]
+            .joint_bounds(edges, &self.patches[b])
             .map_err(|error| NetworkError::Seam { seam, error })
     }
 

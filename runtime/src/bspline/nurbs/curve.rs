@@ -6,8 +6,9 @@ use core::ops::Range;
 use super::homogeneous::check_weights;
 use crate::bspline::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
 use crate::curve::backwards;
-use crate::geometry::{numerators, possible, replace_first};
+use crate::geometry::{possible, replace_first};
 use crate::numeric::binomial::binomial;
+use crate::numeric::leibniz;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{largest_component, length};
@@ -345,7 +346,7 @@ impl<P: Point> JoinableCurve for NurbsCurve<P> {
         };
         let weights: Vec<P::Scalar> = (0..derivatives.len()).map(weight).collect();
         let mut scaled: Vec<P> = points.iter().map(|point| point.scaled).collect();
-        replace_first(&mut scaled, &numerators(derivatives, &weights), row)?;
+        replace_first(&mut scaled, &leibniz::product(derivatives, &weights), row)?;
         let points: Vec<Homogeneous<P>> = scaled
             .into_iter()
             .zip(points)

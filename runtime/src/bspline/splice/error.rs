@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-use super::JointMeasure;
+use super::JointBounds;
 use crate::bspline::KnotError;
 
 /// A joint that cannot be made, or not to the tolerances.
@@ -22,9 +22,9 @@ pub enum SpliceError {
     /// A surface has only one row of control points across its edge.
     OneRow,
     /// A surface has no tangent plane at this parameter of the joint: its edge shrinks to a point there, or the row
-    /// next to it lies on the edge. In a splice it is the target.
+    /// next to it lies on the edge. Where a surface is moved it is the one that it continues.
     Degenerate {
-        /// The parameter along the edge of the surface that is adjusted.
+        /// The parameter of the first surface along its edge.
         parameter: f64,
     },
     /// Curvatures are to agree, by a method that does not make them.
@@ -37,7 +37,7 @@ pub enum SpliceError {
     /// type.
     NotReached {
         /// The best figures that were achieved.
-        achieved: JointMeasure,
+        achieved: JointBounds,
         /// The number of spans along the edge with which they were achieved.
         spans: usize,
         /// The tolerance of the gap.
@@ -45,6 +45,20 @@ pub enum SpliceError {
         /// The tolerance of the angle in radians.
         angle: f64,
     },
+}
+
+impl SpliceError {
+    /// The same with another parameter in place of each.
+    pub(super) fn at(self, place: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Self::Degenerate { parameter } => Self::Degenerate { parameter: place(parameter) },
+            Self::NotReached { achieved, spans, gap, angle } => {
+                let (gap_at, angle_at) = (place(achieved.gap_at), place(achieved.angle_at));
+                Self::NotReached { achieved: JointBounds { gap_at, angle_at, ..achieved }, spans, gap, angle }
+            }
+            other => other,
+        }
+    }
 }
 
 impl Display for SpliceError {

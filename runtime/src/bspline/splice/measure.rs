@@ -5,15 +5,17 @@ use alloc::vec::Vec;
 use super::bounds;
 use super::strip::{Strip, Vector};
 use super::{Continuity, SpliceError};
-use crate::Scalar;
-use crate::bspline::KnotVector;
+use crate::bspline::{BSplineSurface, EdgePair, KnotVector};
+use crate::curve::leading_order;
 use crate::vector::{cross, length};
+use crate::{Point3, Scalar};
 
-/// The gap and the angle along a joint, proved for all of its parameters and not just for samples.
+/// How two B-spline surfaces meet along an edge, by [`BSplineSurface::joint_bounds`]: upper bounds of the figures of an
+/// [`EdgeJoint`](crate::EdgeJoint), which are proved for all parameters of the edge and not just for samples.
 ///
-/// Both are upper bounds, from the Bernstein coefficients of the difference of the edges and of the products of the
-/// normals, at most one percent above the largest value but for rounding errors: about a hundred of them are added, so
-/// an angle of zero is some `1e-13`. For degrees above 250 along the edge nothing better than the angle π is proved.
+/// They follow from the Bernstein coefficients of the difference of the edges and of the products of the normals, and
+/// are at most one percent above the largest value but for rounding errors: about a hundred of them are added, so an
+/// angle of zero is some `1e-13`. For degrees above 250 along the edge nothing better than the angle π is proved.
 ///
 /// Where a normal vanishes at a knot, as at a pole, its limit counts. Where one vanishes inside of a piece between two
 /// knots, which needs a cusp of the edge or directions that become parallel, the nearest 1e-4 of the piece have no
@@ -21,23 +23,69 @@ use crate::vector::{cross, length};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-pub struct JointMeasure {
-    /// The largest distance between points of the two edges with corresponding parameters, in the unit of the points.
+pub struct JointBounds {
+    /// No two points that belong together are farther from each other, in the unit of the points.
     pub gap: f64,
-    /// A parameter at which it occurs, up to one percent.
+    /// Where that distance occurs, up to one percent: the parameter of the first surface along its edge.
     pub gap_at: f64,
-    /// The largest angle between the tangent planes, in radians from 0 to π; above π/2 one surface folds back over the
-    /// other. A splice of [`Continuity::G0`](super::Continuity::G0) leaves out the pieces without tangent planes.
+    /// Nowhere is the angle larger by which the surfaces do not continue each other, in radians: 0 where the joint is
+    /// smooth, π where one folds back on the other. A splice of [`Continuity::G0`](super::Continuity::G0) leaves out
+    /// the pieces without tangent planes.
     pub angle: f64,
-    /// A parameter at which it occurs, up to one percent.
+    /// Where that angle occurs, up to one percent: the parameter of the first surface along its edge.
     pub angle_at: f64,
 }
 
-impl JointMeasure {
+impl JointBounds {
+    /// The order of geometric continuity that is proved: 1 for G1, 0 for G0, or `None` if there may be a gap.
+    /// Curvatures are not bounded: [`Surface::joint`](crate::Surface::joint) measures them.
+    ///
+    /// The tolerances are in the unit of length, and in radians.
+    pub fn geometric_order(&self, gap: f64, angle: f64) -> Option<usize> {
+        leading_order(self.gap <= gap, [self.angle <= angle])
+    }
+
     /// How many times as large as a tolerance the worse of both figures is; at most 1 if both are met.
     pub(in crate::bspline) fn excess(&self, gap: f64, angle: f64) -> f64 {
         (self.gap / gap).max(self.angle / angle)
     }
+}
+
+impl<P: Point3> BSplineSurface<P> {
+    /// Bounds of the gap and of the angle between this surface and `next` along an edge of each, for all parameters of
+    /// the edge, which correspond by the affine map.
+    ///
+    /// ```
+    /// use basis_runtime::bspline::{BSplineSurface, Direction, Edge, EdgePair, KnotVector, Net};
+    ///
+    /// let knots = KnotVector::uniform(3, 2)?;
+    /// let net = Net::from_fn(5, 5, |i, j| [i as f64, j as f64, (i * j % 3) as f64])?;
+    /// let [left, right] = BSplineSurface::new(knots.clone(), knots, net)?.split(Direction::U, 0.25)?;
+    /// let joint = left.joint_bounds(EdgePair::along(Edge::UEnd, Edge::UStart), &right)?;
+    /// assert_eq!(joint.geometric_order(1e-12, 1e-12), Some(1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SpliceError::NotFinite`] if a control point near the edges is not finite, [`SpliceError::OneRow`] if a surface
+    /// has one row of control points only, [`SpliceError::Degenerate`] if a tangent plane is missing,
+    /// [`SpliceError::Knots`] if the knots come so near to each other that rounding makes them equal too often.
+    pub fn joint_bounds(&self, edges: EdgePair, next: &Self) -> Result<JointBounds, SpliceError> {
+        measured(self, next, edges, Continuity::G1)
+    }
+}
+
+/// [`BSplineSurface::joint_bounds`] for a joint that is to have that continuity.
+pub(super) fn measured<P: Point3>(
+    first: &BSplineSurface<P>,
+    next: &BSplineSurface<P>,
+    edges: EdgePair,
+    continuity: Continuity,
+) -> Result<JointBounds, SpliceError> {
+    let strip = Strip::new(&first.clamped(), edges.first)?;
+    let other = Strip::new(&next.clamped(), edges.second)?;
+    let other = other.mapped::<P::Scalar>(strip.knots.domain(), edges.orientation, &strip.knots)?;
+    Ok(measure(&strip, &other, continuity)?.0)
 }
 
 /// The same for one piece of the joint.
@@ -54,12 +102,12 @@ pub(in crate::bspline) fn measure(
     strip: &Strip,
     target: &Strip,
     continuity: Continuity,
-) -> Result<(JointMeasure, Vec<Piece>), SpliceError> {
+) -> Result<(JointBounds, Vec<Piece>), SpliceError> {
     let mut breakpoints = strip.knots.breakpoints();
     breakpoints.extend(target.knots.breakpoints());
     breakpoints.sort_by(f64::total_cmp);
     breakpoints.dedup();
-    let mut whole = JointMeasure { gap: 0.0, gap_at: breakpoints[0], angle: 0.0, angle_at: breakpoints[0] };
+    let mut whole = JointBounds { gap: 0.0, gap_at: breakpoints[0], angle: 0.0, angle_at: breakpoints[0] };
     let mut pieces = Vec::with_capacity(breakpoints.len());
     for ends in breakpoints.windows(2) {
         let ends @ [lo, hi] = [ends[0], ends[1]];

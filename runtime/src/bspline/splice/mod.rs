@@ -1,9 +1,9 @@
-//! Splicing: one surface is adjusted along an edge so that it joins another one smoothly.
+//! Splicing: one surface is adjusted along an edge so that it continues another one within tolerances.
 //!
-//! Two surfaces meet along an edge of each. The second one, the *target*, stays; of the first one the row of control
-//! points on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted along the
-//! edge. The knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one domain to
-//! the other.
+//! Two surfaces meet along an edge of each. The one that is continued, the *target*, stays; of the other one the row of
+//! control points on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted
+//! along the edge. The knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one
+//! domain to the other.
 //!
 //! - **G0**: both edges are the same curve.
 //! - **G1**: `α S_u + β T_w + γ T_t = 0` along the joint with `α` and `β` of opposite sign, where `u` leads out of the
@@ -25,8 +25,8 @@ mod third;
 use alloc::vec::Vec;
 
 pub use error::SpliceError;
-pub use measure::JointMeasure;
-use measure::measure;
+pub use measure::JointBounds;
+use measure::{measure, measured};
 use strip::{Strip, Vector, along, place};
 
 use super::{BSplineSurface, Edge, EdgePair};
@@ -52,9 +52,9 @@ pub enum Continuity {
     G0,
     /// The tangent planes are the same too.
     G1,
-    /// The normal curvatures are the same too, in every direction, but for rounding errors: reflections have no kinks. Only
-    /// [`Method::Exact`] makes such joints; what is measured of them is gap and angle, and
-    /// [`edge_continuity`](crate::edge_continuity) measures curvatures at samples.
+    /// The normal curvatures are the same too, in every direction, but for rounding errors: reflections have no kinks.
+    /// Only [`Method::Exact`] makes such joints; what is bounded of them is gap and angle, and
+    /// [`Surface::joint`](crate::Surface::joint) measures curvatures at samples.
     G2,
 }
 
@@ -97,7 +97,8 @@ pub enum EdgeKnots {
     Own,
 }
 
-/// What a splice is to reach, and how: the defaults, and what is set otherwise.
+/// What a surface that continues another one is to reach, and how, [`BSplineSurface::continued_within`]: the defaults,
+/// and what is set otherwise.
 ///
 /// ```
 /// use basis_runtime::bspline::{Method, SpliceOptions};
@@ -153,16 +154,17 @@ crate::bspline::setters! {
     edge_knots: EdgeKnots, "With that degree and those knots along the edge to begin with.";
 }
 
-/// A surface that was joined to another one.
+/// A surface that continues another one, by [`BSplineSurface::continued_within`].
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 #[non_exhaustive]
 pub struct Splice<P: Point> {
-    /// The adjusted surface.
+    /// The surface that was moved.
     pub surface: BSplineSurface<P>,
-    /// Gap and angle of the result: bounds, within the tolerances.
-    pub measure: JointMeasure,
+    /// Bounds of gap and angle, within the tolerances: the [`joint_bounds`](BSplineSurface::joint_bounds) of the
+    /// surface that is continued and this one.
+    pub joint: JointBounds,
     /// The number of spans along the edge.
     pub spans: usize,
     /// How often knots were inserted and the rows solved for.
@@ -172,62 +174,53 @@ pub struct Splice<P: Point> {
     pub change: f64,
 }
 
-/// The gap and the angle between two surfaces along a joint, whatever they are.
-///
-/// # Errors
-/// If a control point near the joint is not finite, a surface has one row only, or a tangent plane is missing.
-pub fn measure_joint<P: Point3>(
-    surface: &BSplineSurface<P>,
-    target: &BSplineSurface<P>,
-    joint: EdgePair,
-) -> Result<JointMeasure, SpliceError> {
-    measured(surface, target, joint, Continuity::G1)
+impl<P: Point3> BSplineSurface<P> {
+    /// The surface `next`, moved so that it continues this one across an edge of each, within the tolerances of gap and
+    /// angle: as [`continued`](Self::continued), with factors of the contact that are found, so that `next` changes
+    /// little.
+    ///
+    /// Of `next` only the two rows of control points next to the edge are changed, three for [`Continuity::G2`], over a
+    /// net that is refined along the edge (and across it, if it has so few rows that the opposite edge and its tangent
+    /// planes would move). For [`Continuity::G2`] the degree across the edge is at least 2.
+    ///
+    /// ```
+    /// use basis_runtime::bspline::{BSplineSurface, Continuity, KnotVector, Net, SpliceOptions};
+    /// use basis_runtime::{Edge, EdgePair, Surface};
+    ///
+    /// let sheet = |from: f64, spans: usize| {
+    ///     let (u, v) = (KnotVector::uniform(3, 2)?, KnotVector::uniform(3, spans)?);
+    ///     let point = |i: usize, j: usize| [from + i as f64, j as f64 / (spans + 2) as f64, (i * j) as f64 / 8.0];
+    ///     BSplineSurface::new(u, v, Net::from_fn(5, spans + 3, point)?)
+    /// };
+    /// let (first, draft) = (sheet(0.0, 3)?, sheet(-4.2, 2)?);
+    /// let edges = EdgePair::along(Edge::UStart, Edge::UEnd);
+    /// let next = first.continued_within(edges, &SpliceOptions::default().continuity(Continuity::G2), &draft)?.surface;
+    /// assert_eq!(first.joint(edges, &next, 65).geometric_order(1e-9, 1e-9, 1e-9), Some(2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SpliceError::Curvatures`] for [`Continuity::G2`] by another method than [`Method::Exact`];
+    /// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what
+    /// is wrong with the input.
+    pub fn continued_within(
+        &self,
+        edges: EdgePair,
+        options: &SpliceOptions,
+        next: &Self,
+    ) -> Result<Splice<P>, SpliceError> {
+        let domain = |surface: &Self, edge| surface.knots(along(edge)).to_f64().domain();
+        let domains = [domain(next, edges.second), domain(self, edges.first)];
+        let place = |t| strip::mapped_parameter(t, domains[0], domains[1], edges.orientation);
+        splice(next, self, edges.swapped(), options).map_err(|error| error.at(place))
+    }
 }
 
-fn measured<P: Point3>(
+/// [`BSplineSurface::continued_within`], with the surface that is adjusted first; places are parameters of that one.
+fn splice<P: Point3>(
     surface: &BSplineSurface<P>,
     target: &BSplineSurface<P>,
-    joint: EdgePair,
-    continuity: Continuity,
-) -> Result<JointMeasure, SpliceError> {
-    let strip = Strip::new(&surface.clamped(), joint.first)?;
-    let other = Strip::new(&target.clamped(), joint.second)?;
-    let other = other.mapped::<P::Scalar>(strip.knots.domain(), joint.orientation, &strip.knots)?;
-    Ok(measure(&strip, &other, continuity)?.0)
-}
-
-/// Adjusts `surface` along an edge so that it joins `target`, which stays as it is.
-///
-/// Only the two rows of control points next to the edge are changed, three for [`Continuity::G2`], over a net that is refined
-/// along the edge (and across it, if it has so few rows that the opposite edge and its tangent planes would move). For
-/// [`Continuity::G2`] the degree across the edge is at least 2.
-///
-/// ```
-/// use basis_runtime::bspline::{
-///     BSplineSurface, Continuity, Edge, EdgePair, KnotVector, Net, SpliceOptions, splice,
-/// };
-/// use basis_runtime::edge_continuity;
-///
-/// let sheet = |from: f64, spans: usize| {
-///     let (u, v) = (KnotVector::uniform(3, 2)?, KnotVector::uniform(3, spans)?);
-///     let point = |i: usize, j: usize| [from + i as f64, j as f64 / (spans + 2) as f64, (i * j) as f64 / 8.0];
-///     BSplineSurface::new(u, v, Net::from_fn(5, spans + 3, point)?)
-/// };
-/// let (adjusted, target) = (sheet(-4.2, 2)?, sheet(0.0, 3)?);
-/// let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
-/// let joined = splice(&adjusted, &target, joint, &SpliceOptions::default().continuity(Continuity::G2))?;
-/// assert_eq!(edge_continuity(&joined.surface, &target, joint, 65).order(1e-9, 1e-9, 1e-9), Some(2));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// [`SpliceError::Curvatures`] for [`Continuity::G2`] by another method than [`Method::Exact`];
-/// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what is
-/// wrong with the input.
-pub fn splice<P: Point3>(
-    surface: &BSplineSurface<P>,
-    target: &BSplineSurface<P>,
-    joint: EdgePair,
+    edges: EdgePair,
     options: &SpliceOptions,
 ) -> Result<Splice<P>, SpliceError> {
     for tolerance in [options.gap, options.angle] {
@@ -240,15 +233,15 @@ pub fn splice<P: Point3>(
     if has_curvatures && !exact {
         return Err(SpliceError::Curvatures);
     }
-    let surface = prepared(surface, joint.first, if has_curvatures { 3 } else { 2 })?;
-    let original = Strip::new(&surface, joint.first)?;
+    let surface = prepared(surface, edges.first, if has_curvatures { 3 } else { 2 })?;
+    let original = Strip::new(&surface, edges.first)?;
     let clamped = target.clamped();
-    let fixed = Strip::new(&clamped, joint.second)?;
+    let fixed = Strip::new(&clamped, edges.second)?;
     let mapped = |strip: &Strip| {
-        strip.mapped::<P::Scalar>(original.knots.domain(), joint.orientation, &original.knots)
+        strip.mapped::<P::Scalar>(original.knots.domain(), edges.orientation, &original.knots)
     };
     let seconds =
-        if has_curvatures { Some(mapped(&third::seconds(&clamped, joint.second, &fixed)?)?) } else { None };
+        if has_curvatures { Some(mapped(&third::seconds(&clamped, edges.second, &fixed)?)?) } else { None };
     let fixed = mapped(&fixed)?;
 
     let merge = exact || options.edge_knots == EdgeKnots::Merged;
@@ -266,18 +259,18 @@ pub fn splice<P: Point3>(
         fixed = fixed.inserted(&super::rows::missing(&fixed.knots, &base.knots)?)?;
     }
     // What the third row has to reach, and what it was.
-    let curved = match (seconds, third::Across::new(&surface, joint.first)) {
+    let curved = match (seconds, third::Across::new(&surface, edges.first)) {
         (Some(seconds), Some(across)) => {
             let seconds = seconds.elevated(degree)?;
             let missing = super::rows::missing(&seconds.knots, &base.knots)?;
-            let before = third::row(&surface, joint.first, 2, &original)?;
+            let before = third::row(&surface, edges.first, 2, &original)?;
             Some((across, seconds.inserted(&missing)?, before.elevated(degree)?.inserted(&inserted)?))
         }
         _ => None,
     };
     let angle = if options.continuity == Continuity::G0 { f64::INFINITY } else { options.angle };
 
-    let mut best: Option<(JointMeasure, usize)> = None;
+    let mut best: Option<(JointBounds, usize)> = None;
     let (mut rounds, mut best_round) = (0, 0);
     loop {
         rounds += 1;
@@ -285,7 +278,7 @@ pub fn splice<P: Point3>(
         let factor = solve(&mut strip, &fixed, options)?;
         let (found, pieces) = measure(&strip, &fixed, options.continuity)?;
         let spans = strip.spans();
-        let excess = |m: &JointMeasure| m.excess(options.gap, angle);
+        let excess = |m: &JointBounds| m.excess(options.gap, angle);
         if best.is_none_or(|(other, _)| excess(&found) < excess(&other)) {
             best = Some((found, spans));
             best_round = rounds;
@@ -297,16 +290,20 @@ pub fn splice<P: Point3>(
                 (Strip { edge: row.clone(), inner: row, ..before.clone() }, before)
             });
             let rows = [Some(&strip.edge), Some(&strip.inner), third.as_ref().map(|(row, _)| &row.edge)];
-            let result = written(&surface, joint.first, degree, &inserted, rows)?;
+            let result = written(&surface, edges.first, degree, &inserted, rows)?;
             // The figures of what is handed back, in its own precision.
-            let measure = measured(&result, target, joint, options.continuity)?;
-            if excess(&measure) > 1.0 {
-                best = Some((measure, spans));
+            let joint = measured(target, &result, edges.swapped(), options.continuity);
+            let joint = joint.map_err(|error| {
+                let domain = clamped.knots(along(edges.second)).to_f64().domain();
+                error.at(|t| strip::mapped_parameter(t, domain, original.knots.domain(), edges.orientation))
+            })?;
+            if excess(&joint) > 1.0 {
+                best = Some((measured(&result, target, edges, options.continuity)?, spans));
                 break;
             }
             let of_third = third.as_ref().map_or(0.0, |(row, before)| change(before, row));
             let change = change(&base, &strip).max(of_third);
-            return Ok(Splice { surface: result, measure, spans, rounds, change });
+            return Ok(Splice { surface: result, joint, spans, rounds, change });
         }
         let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, AIM * options.gap, AIM * angle);
         let stalled = rounds - best_round >= PATIENCE;

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::SpliceError;
 use crate::bspline::rows::{self, Rows};
-use crate::bspline::{BSplineSurface, Direction, Edge, KnotVector, Orientation};
+use crate::bspline::{BSplineSurface, Direction, Edge, KnotError, KnotVector, Orientation};
 use crate::{Point, Point3, Scalar};
 
 pub(in crate::bspline) type Vector = [f64; 3];
@@ -30,6 +30,52 @@ pub(in crate::bspline) fn place<P: Point>(
         Direction::U => [layer, along],
         Direction::V => [along, layer],
     }
+}
+
+/// A parameter along one edge as one along another edge, both over their domains.
+pub(in crate::bspline) fn mapped_parameter(
+    t: f64,
+    [a, b]: [f64; 2],
+    [lo, hi]: [f64; 2],
+    orientation: Orientation,
+) -> f64 {
+    let part = match orientation {
+        Orientation::Same if [a, b] == [lo, hi] => return t.clamp(lo, hi),
+        Orientation::Same => (t - a) / (b - a),
+        Orientation::Opposite => 1.0 - (t - a) / (b - a),
+    };
+    if part <= 0.0 {
+        lo
+    } else if part >= 1.0 {
+        hi
+    } else {
+        lo + (hi - lo) * part
+    }
+}
+
+/// Clamped knots along an edge over the domain `[lo, hi]` of another one, run through backwards if the orientation is
+/// opposite. Those that agree with one of `grid` up to rounding errors of the scalar type become equal to it; all are
+/// made numbers of that type.
+pub(in crate::bspline) fn mapped_knots<S: Scalar>(
+    knots: &KnotVector<f64>,
+    [lo, hi]: [f64; 2],
+    orientation: Orientation,
+    grid: &KnotVector<f64>,
+) -> Result<KnotVector<f64>, KnotError> {
+    let near = 16.0 * S::EPSILON.to_f64() * (hi - lo).max(lo.abs()).max(hi.abs());
+    let breakpoints = grid.breakpoints();
+    let map = |&t: &f64| {
+        let mapped = mapped_parameter(t, knots.domain(), [lo, hi], orientation);
+        let after = breakpoints.partition_point(|&knot| knot < mapped);
+        let around = after.saturating_sub(1)..(after + 1).min(breakpoints.len());
+        let nearest = breakpoints[around].iter().copied().find(|knot| (knot - mapped).abs() <= near);
+        nearest.unwrap_or_else(|| S::of(mapped).to_f64().clamp(lo, hi))
+    };
+    let mut mapped: Vec<f64> = knots.as_slice().iter().map(map).collect();
+    if orientation == Orientation::Opposite {
+        mapped.reverse();
+    }
+    KnotVector::new(knots.degree(), mapped)
 }
 
 /// Two rows along an edge, over a clamped knot vector.
@@ -86,44 +132,19 @@ impl Strip {
         Ok(Self { knots, edge, inner, factor })
     }
 
-    /// The strip over the domain `[lo, hi]`, run through backwards if the orientation is opposite. Knots that agree with one of `grid`
-    /// up to rounding errors of the scalar type become equal to it; all are made numbers of that type.
+    /// The strip over another domain, run through backwards if the orientation is opposite: see [`mapped_knots`].
     pub(in crate::bspline) fn mapped<S: Scalar>(
         &self,
-        [lo, hi]: [f64; 2],
+        domain: [f64; 2],
         orientation: Orientation,
         grid: &KnotVector<f64>,
     ) -> Result<Self, SpliceError> {
-        let [a, b] = self.knots.domain();
-        let width = hi - lo;
-        let near = 16.0 * S::EPSILON.to_f64() * width.max(lo.abs()).max(hi.abs());
-        let breakpoints = grid.breakpoints();
-        let map = |t: &f64| {
-            let part = (t - a) / (b - a);
-            let part = match orientation {
-                Orientation::Same => part,
-                Orientation::Opposite => 1.0 - part,
-            };
-            let mapped = if part <= 0.0 {
-                lo
-            } else if part >= 1.0 {
-                hi
-            } else {
-                lo + width * part
-            };
-            let after = breakpoints.partition_point(|&knot| knot < mapped);
-            let around = after.saturating_sub(1)..(after + 1).min(breakpoints.len());
-            let nearest = breakpoints[around].iter().copied().find(|knot| (knot - mapped).abs() <= near);
-            nearest.unwrap_or_else(|| S::of(mapped).to_f64().clamp(lo, hi))
-        };
-        let mut knots: Vec<f64> = self.knots.as_slice().iter().map(map).collect();
+        let knots = mapped_knots::<S>(&self.knots, domain, orientation, grid)?;
         let (mut edge, mut inner) = (self.edge.clone(), self.inner.clone());
         if orientation == Orientation::Opposite {
-            knots.reverse();
             edge.reverse();
             inner.reverse();
         }
-        let knots = KnotVector::new(self.knots.degree(), knots)?;
         Ok(Self { knots, edge, inner, factor: self.factor })
     }
 

@@ -9,9 +9,9 @@ use alloc::vec::Vec;
 use super::{Direction, Edge, EdgePair, JoinError, Orientation};
 use crate::bernstein::elevate;
 use crate::curve::backwards;
-use crate::numeric::linear::solve;
+use crate::numeric::{leibniz, linear::solve};
 use crate::vector::{is_finite, largest_component};
-use crate::{Array, Basis, Contact, Curve, CurveError, Point, Scalar, TensorSurface};
+use crate::{Array, Basis, Contact, Curve, CurveError, Point, RationalSurface, Scalar, TensorSurface};
 
 /// The derivatives of a surface across an edge, as curves over its family along the edge.
 struct Across<P: Point> {
@@ -38,7 +38,7 @@ where
     /// ```
     /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-    /// use basis_runtime::{BernsteinBasis, Contact, Edge, EdgePair, TensorSurface, edge_continuity};
+    /// use basis_runtime::{BernsteinBasis, Contact, Edge, EdgePair, Surface, TensorSurface};
     ///
     /// fn net<const N: usize>(y: f64) -> [[[f64; 3]; N]; N] {
     ///     core::array::from_fn(|i| core::array::from_fn(|j| {
@@ -52,14 +52,14 @@ where
     /// let edges = EdgePair::along(Edge::VEnd, Edge::VStart);
     /// let contact = Contact::Curvature { f: 0.7, c: 0.0 };
     /// let next = first.continued(edges, contact, &TensorSurface::new(lambda, b?, net(3.5)))?;
-    /// let measured = edge_continuity(&first, &next, edges, 65);
-    /// assert_eq!(measured.order(1e-12, 1e-12, 1e-12), Some(2));
+    /// let joint = first.joint(edges, &next, 65);
+    /// assert_eq!(joint.geometric_order(1e-12, 1e-12, 1e-12), Some(2));
     ///
     /// // A Bézier surface of the same degree, across another edge, which runs the other way.
     /// let quartic = BernsteinBasis::<f64, 5>::new();
     /// let edges = EdgePair::against(Edge::VEnd, Edge::UStart);
     /// let next = first.continued(edges, contact, &TensorSurface::new(quartic, quartic, net(3.5)))?;
-    /// assert_eq!(edge_continuity(&first, &next, edges, 65).order(1e-12, 1e-12, 1e-12), Some(2));
+    /// assert_eq!(first.joint(edges, &next, 65).geometric_order(1e-12, 1e-12, 1e-12), Some(2));
     /// # Ok(())
     /// # }
     /// ```
@@ -79,31 +79,25 @@ where
         W: Basis<Scalar = U::Scalar>,
         X: Basis<Scalar = U::Scalar>,
     {
-        let most = if edges.second.across() == Direction::U { W::LEN } else { X::LEN } - 1;
-        let order = contact.order();
-        if order > most {
-            return Err(JoinError::Contact { most, found: order });
-        }
-        let mut across = self.across(edges.first, order)?;
-        let count = across.points[0].len();
-        for i in 0..count {
-            let mut derivatives: Vec<P> = across.points.iter().map(|points| points[i]).collect();
-            if !edges.first.is_end() {
-                derivatives = backwards(&derivatives);
-            }
-            contact.transform(&mut derivatives).map_err(factor)?;
-            if edges.second.is_end() {
-                derivatives = backwards(&derivatives);
-            }
-            for (points, derivative) in across.points.iter_mut().zip(derivatives) {
-                points[i] = derivative;
-            }
-        }
-        next.touching(edges.second, &across, edges.orientation)
+        possible(contact, TensorSurface::<W, X, P>::most(edges.second))?;
+        next.touching(edges.second, &self.beyond(edges, contact)?, edges.orientation)
     }
 
-    /// The derivatives up to that order across an edge.
-    fn across(&self, edge: Edge, order: usize) -> Result<Across<P>, JoinError> {
+    /// The derivatives across the edge of a surface that continues this one.
+    fn beyond(&self, edges: EdgePair, contact: Contact<P::Scalar>) -> Result<Across<P>, JoinError> {
+        let across = self.across(edges.first, contact.order());
+        let mut across = across.map_err(|row| JoinError::FirstShape { row })?;
+        across.replace(|derivatives| beyond(edges, contact, derivatives))?;
+        Ok(across)
+    }
+
+    /// The highest order of contact across an edge.
+    fn most(edge: Edge) -> usize {
+        if edge.across() == Direction::U { U::LEN - 1 } else { V::LEN - 1 }
+    }
+
+    /// The derivatives up to that order across an edge; the row that has another family than the others that count.
+    fn across(&self, edge: Edge, order: usize) -> Result<Across<P>, usize> {
         let rows = self.rows();
         let points = |of: &dyn Fn(usize, usize) -> P, len: usize| -> Vec<Vec<P>> {
             (0..=order).map(|k| (0..len).map(|i| of(k, i)).collect()).collect()
@@ -119,7 +113,7 @@ where
             let points = points(&|k, i| P::from_vector(derivatives[i][k]), U::LEN);
             return Ok(Across { points, weights: weights(self.u_basis()) });
         }
-        let (factors, basis) = self.counting(edge, order).map_err(|row| JoinError::FirstShape { row })?;
+        let (factors, basis) = self.counting(edge, order)?;
         let point = |k: usize, j: usize| {
             let column = rows.iter().map(|row| row.control_points()[j]);
             crate::basis::combination(column.zip(factors[k].as_ref().iter().copied()))
@@ -174,7 +168,94 @@ where
     }
 }
 
+impl<U, V, P> RationalSurface<U, V, P>
+where
+    U: Basis,
+    V: Basis<Scalar = U::Scalar>,
+    P: Point<Scalar = U::Scalar>,
+{
+    /// The surface `next`, moved so that it continues this one across an edge of each, with that contact: as
+    /// [`TensorSurface::continued`], for numerator and denominator.
+    ///
+    /// Weights along an edge belong to the points of the edge, so those of the rows that are replaced are replaced,
+    /// too. Numerator and denominator can be multiplied by any function of the parameter across the edge; the one is
+    /// taken with which the weights of `next` keep their means along the edge. So none of them changes where those of
+    /// neither surface change along the edge, as those of polynomial surfaces.
+    ///
+    /// ```
+    /// use basis_runtime::{BernsteinBasis, Contact, Edge, EdgePair, RationalSurface, Surface};
+    ///
+    /// // A quarter of a cylinder, and a sheet beyond it.
+    /// let half = 0.5_f64.sqrt();
+    /// let arc = |x: f64| [[x, 1.0, 0.0], [x, 1.0, 1.0], [x, 0.0, 1.0]];
+    /// let (linear, quadratic) = (BernsteinBasis::<_, 2>::new(), BernsteinBasis::<_, 3>::new());
+    /// let cylinder = RationalSurface::new(linear, quadratic, [arc(0.0), arc(2.0)], [[1.0, half, 1.0]; 2]);
+    /// let sheet = [[[0.0; 3]; 3], [[0.0; 3]; 3], [[5.0, 1.0, 0.0], [5.0, 2.0, 2.0], [5.0, 0.0, 1.0]]];
+    /// let draft = RationalSurface::new(quadratic, quadratic, sheet, [[1.0; 3]; 3]);
+    /// let edges = EdgePair::along(Edge::UEnd, Edge::UStart);
+    /// let next = cylinder.continued(edges, Contact::Tangent { f: 1.0 }, &draft)?;
+    /// assert_eq!(cylinder.joint(edges, &next, 65).geometric_order(1e-14, 1e-14, 1e-9), Some(1));
+    /// assert_eq!(next.control_point(2, 1), Some(([5.0, 2.0, 2.0], 1.0)));
+    /// # Ok::<(), basis_runtime::JoinError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`TensorSurface::continued`], and [`JoinError::Weights`] if the mean of the weights along the edge vanishes.
+    pub fn continued<W, X>(
+        &self,
+        edges: EdgePair,
+        contact: Contact<P::Scalar>,
+        next: &RationalSurface<W, X, P>,
+    ) -> Result<RationalSurface<W, X, P>, JoinError>
+    where
+        W: Basis<Scalar = U::Scalar>,
+        X: Basis<Scalar = U::Scalar>,
+    {
+        possible(contact, TensorSurface::<W, X, P>::most(edges.second))?;
+        let mut numerator = self.numerator().beyond(edges, contact)?;
+        let mut weight = self.weight().beyond(edges, contact)?;
+        let own = next.weight().across(edges.second, contact.order());
+        let own = own.map_err(|row| JoinError::SecondShape { row })?;
+        let factor = factor_of_weights(&own.means(), &weight.means())?;
+        numerator.replace(|derivatives| Ok(leibniz::product(&derivatives, &factor)))?;
+        weight.replace(|derivatives| Ok(leibniz::product(&derivatives, &factor)))?;
+        Ok(RationalSurface::from_homogeneous(
+            next.numerator().touching(edges.second, &numerator, edges.orientation)?,
+            next.weight().touching(edges.second, &weight, edges.orientation)?,
+        ))
+    }
+}
+
 impl<P: Point> Across<P> {
+    /// Puts others in place of the derivatives that belong to one function along the edge.
+    fn replace(&mut self, by: impl Fn(Vec<P>) -> Result<Vec<P>, JoinError>) -> Result<(), JoinError> {
+        for i in 0..self.points[0].len() {
+            let derivatives = by(self.points.iter().map(|points| points[i]).collect())?;
+            for (points, derivative) in self.points.iter_mut().zip(derivatives) {
+                points[i] = derivative;
+            }
+        }
+        Ok(())
+    }
+
+    /// The means of the derivatives along the edge: those of their Bernstein coefficients.
+    fn means(&self) -> Vec<P> {
+        let part = P::Scalar::ONE / P::Scalar::from_usize(self.weights.len());
+        let of = |points: &Vec<P>| {
+            let coefficients = self.coefficients(points);
+            coefficients.into_iter().fold(P::zero(), |sum, p| sum.add_weighted(p, part))
+        };
+        self.points.iter().map(of).collect()
+    }
+
+    /// The Bernstein coefficients of the curve over these control points.
+    fn coefficients(&self, points: &[P]) -> Vec<P> {
+        let of_row = |row: &Vec<P::Scalar>| {
+            points.iter().zip(row).fold(P::zero(), |sum, (&p, &weight)| sum.add_weighted(p, weight))
+        };
+        self.weights.iter().map(of_row).collect()
+    }
+
     /// The control points of the same curves over another family, in the same or the other direction.
     fn over<B: Basis<Scalar = P::Scalar>>(
         &self,
@@ -195,10 +276,7 @@ impl<P: Point> Across<P> {
             })
             .collect();
         let over = |points: &Vec<P>| {
-            let of_row = |row: &Vec<P::Scalar>| {
-                points.iter().zip(row).fold(P::zero(), |sum, (&p, &weight)| sum.add_weighted(p, weight))
-            };
-            let mut coefficients: Vec<P> = self.weights.iter().map(of_row).collect();
+            let mut coefficients = self.coefficients(points);
             if orientation == Orientation::Opposite {
                 coefficients.reverse();
             }
@@ -218,7 +296,7 @@ fn weights<B: Basis>(basis: B) -> Vec<Vec<B::Scalar>> {
 }
 
 /// The control points of a line of the net with these derivatives at the edge.
-fn solved<B: Basis, P: Point<Scalar = B::Scalar>>(
+pub(crate) fn solved<B: Basis, P: Point<Scalar = B::Scalar>>(
     basis: B,
     edge: Edge,
     derivatives: &[P],
@@ -230,12 +308,35 @@ fn solved<B: Basis, P: Point<Scalar = B::Scalar>>(
         basis.start_points(derivatives, points)
     };
     let solved = solved.map_err(|_| JoinError::Undetermined)?;
-    if solved.as_ref().iter().all(|&p| is_finite(p)) { Ok(solved) } else { Err(JoinError::Undetermined) }
+    if solved.as_ref().iter().all(|&p| is_finite(p)) { Ok(solved) } else { Err(JoinError::NotFinite) }
 }
 
-fn factor(error: CurveError) -> JoinError {
-    match error {
-        CurveError::Factor { name, value } => JoinError::Factor { name, value },
-        _ => JoinError::Undetermined,
+/// The order of a contact, if it is at most the highest that is possible.
+pub(crate) fn possible<S: Scalar>(contact: Contact<S>, most: usize) -> Result<usize, JoinError> {
+    let found = contact.order();
+    if found > most { Err(JoinError::Contact { most, found }) } else { Ok(found) }
+}
+
+/// The derivatives across the second of two edges, from those across the first one and the contact.
+pub(crate) fn beyond<P: Point>(
+    edges: EdgePair,
+    contact: Contact<P::Scalar>,
+    mut derivatives: Vec<P>,
+) -> Result<Vec<P>, JoinError> {
+    if !edges.first.is_end() {
+        derivatives = backwards(&derivatives);
     }
+    contact.transform(&mut derivatives).map_err(|error| match error {
+        CurveError::Factor { name, value } => JoinError::Factor { name, value },
+        _ => JoinError::NotFinite, // not reached: a factor is all that can be wrong
+    })?;
+    Ok(if edges.second.is_end() { backwards(&derivatives) } else { derivatives })
+}
+
+/// The factor by which a rational surface in homogeneous points is multiplied before it is continued, as its
+/// derivatives across the edge: the one with which the weights of the other surface keep their means along the edge. A
+/// surface is the same whatever the factor is.
+pub(crate) fn factor_of_weights<S: Scalar>(own: &[S], beyond: &[S]) -> Result<Vec<S>, JoinError> {
+    let factor = leibniz::quotient(own, beyond);
+    if factor.iter().all(|x| x.is_finite()) { Ok(factor) } else { Err(JoinError::Weights) }
 }

@@ -34,11 +34,25 @@ pub enum JoinError {
         /// The order asked for.
         found: usize,
     },
+    /// An edge of a triangle is the corner `u = 1`, [`Edge::UEnd`](crate::Edge::UEnd), across which there is nothing to
+    /// continue.
+    Corner,
     /// The apex of a triangle that continues another one across an edge is not beyond the edge.
     Apex {
         /// Its barycentric coordinate that must be negative.
         value: f64,
     },
+    /// A weight of a rational surface next to its edge would not be positive and finite; of a
+    /// [`RationalSurface`](crate::RationalSurface), the mean of its weights along the edge vanishes.
+    Weights,
+    /// An edge of a surface of revolution is a meridian, beyond which the surface that continues it is itself, turned
+    /// on.
+    Meridian,
+    /// The knots of two B-spline surfaces along their edges cannot be merged.
+    #[cfg(feature = "bspline")]
+    Knots(crate::bspline::KnotError),
+    /// A control point that is computed is not finite.
+    NotFinite,
     /// No control points of the family with these shape values give the second surface the derivatives of the first one.
     Unreachable,
     /// With these shape values the control points next to the edge do not determine the derivatives across it; in the
@@ -63,11 +77,27 @@ impl Display for JoinError {
             Self::Contact { most, found } => {
                 write!(f, "contact of order {found} is not possible, at most of order {most}")
             }
+            Self::Corner => f.write_str(
+                "the edge UEnd of a triangle is its corner u = 1: the edges that can be joined are UStart, VStart and VEnd",
+            ),
             Self::Apex { value } => write!(
                 f,
                 "the apex is not beyond the edge: its barycentric coordinate that belongs to the \
                  opposite corner is {value}, and must be negative"
             ),
+            Self::Weights => write!(
+                f,
+                "weights next to the edge would not be positive and finite: give the contact a larger factor f or a \
+                 lower order, or the first surface weights that change less across its edge"
+            ),
+            Self::Meridian => write!(
+                f,
+                "an edge of a surface of revolution is a meridian: its circles can be joined, and beyond a meridian it goes on \
+                 by a larger angle"
+            ),
+            #[cfg(feature = "bspline")]
+            Self::Knots(error) => error.fmt(f),
+            Self::NotFinite => f.write_str("a computed control point is infinite or NaN"),
             Self::Unreachable => write!(
                 f,
                 "no control points of the second one continue the first one with these shape values: \
@@ -82,4 +112,19 @@ impl Display for JoinError {
     }
 }
 
-impl Error for JoinError {}
+impl Error for JoinError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            #[cfg(feature = "bspline")]
+            Self::Knots(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(feature = "bspline")]
+impl From<crate::bspline::KnotError> for JoinError {
+    fn from(error: crate::bspline::KnotError) -> Self {
+        Self::Knots(error)
+    }
+}

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use basis_runtime::{
     BernsteinBasis, BoundedSurface, Contact, Curve, Edge, EdgePair, MeshError, ScalarOf, Surface,
-    SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, edge_continuity,
+    SurfaceDomain, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation,
 };
 
 use crate::families::{QuarticBernstein, random_quartic};
@@ -36,7 +36,7 @@ fn nets_of_extreme_numbers() {
         surface.bounding_box();
         for edge in Edge::ALL {
             for pair in [EdgePair::along(edge, Edge::UStart), EdgePair::against(edge, Edge::UStart)] {
-                edge_continuity(&surface, &surface, pair, 5);
+                surface.joint(pair, &surface, 5);
             }
         }
         let _ = surface.continued(

@@ -3,7 +3,7 @@
 use basis_runtime::{
     Edge, EdgePair, JoinError, Orientation, Surface, SurfaceDomain, Tessellation, TriangleContact,
     TriangleEdge, TriangleIndex, TriangularBernsteinBasis, TriangularBezier, TriangularBezierOf,
-    TriangularPatch, basis, edge_continuity,
+    TriangularPatch, basis,
 };
 
 use crate::random::Random;
@@ -127,7 +127,7 @@ fn are_elevated_and_split() {
             let lower = TriangleIndex::new(corner.map(|count| count / 7 * 4));
             assert_eq!(elevated.control_point(TriangleIndex::new(corner)), bezier.control_point(lower));
         }
-        for (edge, [start, end]) in TriangleEdge::ALL.into_iter().zip([[1, 2], [2, 0], [0, 1]]) {
+        for (edge, [start, end]) in TriangleEdge::ALL.into_iter().zip([[2, 1], [2, 0], [1, 0]]) {
             let t = random.between(0.0, 1.0);
             let [first, second] = patch.split_edge(edge, t);
             let moved = edge.point(t);
@@ -172,49 +172,48 @@ fn have_nearest_points() {
     }
 }
 
-/// G1 across every edge, to families with other shape values and of a higher degree.
+/// G1 across every edge to every other one in both directions, to families with other shape values and of a higher
+/// degree.
 #[test]
 fn are_continued() {
     let random = &mut Random::new(100);
-    for round in 0..20 {
+    for round in 0..18 {
         let first = random_patch(random);
-        let place = round % 3;
-        let edge = [TriangleEdge::U, TriangleEdge::V, TriangleEdge::W][place];
+        let (place, other) = (round % 3, round / 3 % 3);
+        let [edge, next_edge] = [place, other].map(|k| Edge::from(TriangleEdge::ALL[k]));
+        let orientation = if round < 9 { Orientation::Same } else { Orientation::Opposite };
+        let pair = EdgePair { first: edge, second: next_edge, orientation };
         let mut apex = [random.between(0.2, 1.2); 3];
         apex[place] = -random.between::<f64>(0.3, 1.5);
         apex[(place + 1) % 3] = 1.0 - apex[place] - apex[(place + 2) % 3];
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let family = TriangularII::new(random.between(0.5, 3.0), random.between(0.5, 2.0)).unwrap();
         let second = first
-            .continued(edge, TriangleContact { order: 1, apex }, &TriangularPatch::new(family, points))
+            .continued(pair, TriangleContact { order: 1, apex }, &TriangularPatch::new(family, points))
             .unwrap();
         // Control points farther away are free.
         assert!(
             TriangleIndex::all(4)
-                .filter(|index| index.components()[2] > 1)
+                .filter(|index| index.components()[other] > 1)
                 .all(|index| { second.control_point(index) == Some(points[index.position()]) })
         );
-        // The edges u = 0 and w = 0.
-        let turned = first.part(core::array::from_fn(|k| {
-            let mut corner = [0.0; 3];
-            corner[(place + k) % 3] = 1.0;
-            corner
-        }));
-        let pair = EdgePair::nearest(&turned, Edge::UStart, &second, Edge::VEnd);
-        assert_eq!(pair, EdgePair::against(Edge::UStart, Edge::VEnd));
-        let joint = edge_continuity(&turned, &second, pair, 33);
-        assert!(joint.gap < 1e-11 && joint.angle < 1e-6 && joint.normals == Orientation::Same, "{joint:?}");
+        assert_eq!(pair, EdgePair::nearest(&first, edge, &second, next_edge));
+        let joint = first.joint(pair, &second, 33);
+        assert!(joint.gap < 1e-11 && joint.angle < 1e-6, "{pair:?} {joint:?}");
         assert!(joint.curvature > 1e-3);
 
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let basis = TriangularBernsteinBasis::<f64, 7, 28>::new();
         let smooth = first
-            .continued(edge, TriangleContact { order: 2, apex }, &TriangularPatch::new(basis, points))
+            .continued(pair, TriangleContact { order: 2, apex }, &TriangularPatch::new(basis, points))
             .unwrap();
-        let joint = edge_continuity(&turned, &smooth, pair, 33);
-        assert_eq!(joint.order(1e-11, 1e-6, 1e-4), Some(2), "{joint:?}");
+        let joint = first.joint(pair, &smooth, 33);
+        assert_eq!(joint.geometric_order(1e-11, 1e-6, 1e-4), Some(2), "{joint:?}");
     }
 }
+
+/// The edge u = 0, and beyond it the edge w = 0 of the other patch.
+const PAIR: EdgePair = EdgePair::against(Edge::UStart, Edge::VEnd);
 
 #[test]
 fn continuations_that_do_not_exist() {
@@ -223,20 +222,19 @@ fn continuations_that_do_not_exist() {
     let points = [[0.5; 3]; 15];
     let apex = [-1.0, 1.0, 1.0];
     let draft = TriangularPatch::new(family, points);
-    let along =
-        |apex, order| first.continued(TriangleEdge::U, TriangleContact { order, apex }, &draft).map(|_| ());
+    let along = |apex, order| first.continued(PAIR, TriangleContact { order, apex }, &draft).map(|_| ());
     assert_eq!(along(apex, 1), Ok(()));
     assert_eq!(along([0.5, 0.5, 0.0], 1), Err(JoinError::Apex { value: 0.5 }));
     assert!(matches!(along([f64::NAN, 0.5, 0.5], 1), Err(JoinError::Apex { .. })));
+    for corner in [EdgePair::along(Edge::UEnd, Edge::VEnd), EdgePair::along(Edge::VEnd, Edge::UEnd)] {
+        let found = first.continued(corner, TriangleContact { order: 0, apex }, &draft).map(|_| ());
+        assert_eq!(found, Err(JoinError::Corner));
+    }
     assert_eq!(along(apex, 5), Err(JoinError::Contact { most: 4, found: 5 }));
     // Four points on an edge of degree four are one too few.
     let quartic = TriangularI::new(2.0, 4.0).unwrap();
     let found = first
-        .continued(
-            TriangleEdge::U,
-            TriangleContact { order: 0, apex },
-            &TriangularPatch::new(quartic, [[0.5; 3]; 6]),
-        )
+        .continued(PAIR, TriangleContact { order: 0, apex }, &TriangularPatch::new(quartic, [[0.5; 3]; 6]))
         .map(|_| ());
     assert_eq!(found, Err(JoinError::Unreachable));
     // At λ2 = 0 and λ1 = 3 the order 3 has no function for its inner point; at λ2 = 2 all are those of Bernstein.
@@ -247,14 +245,14 @@ fn continuations_that_do_not_exist() {
     let with = |lambda2| {
         let basis = TriangularCubic::new(3.0, lambda2).unwrap();
         cubic.continued(
-            TriangleEdge::U,
+            PAIR,
             TriangleContact { order: 1, apex },
             &TriangularPatch::new(basis, [[0.5; 3]; 10]),
         )
     };
     assert_eq!(with(0.0).map(|_| ()), Err(JoinError::Unreachable));
     let bernstein = cubic.continued(
-        TriangleEdge::U,
+        PAIR,
         TriangleContact { order: 1, apex },
         &TriangularBezier::<[f64; 3], 4, 10>::from_points([[0.5; 3]; 10]),
     );
