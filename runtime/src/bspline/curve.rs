@@ -8,7 +8,7 @@ use core::ops::Range;
 use super::functions::combine;
 use super::{KnotError, KnotVector, SplineError, slices};
 use crate::curve::{backwards, divisible, inside, nonempty, same_length};
-use crate::geometry::{possible, replace_first};
+use crate::geometry::{as_points, possible, replace_first};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::largest_component;
@@ -415,18 +415,18 @@ impl<P: Point> JoinableCurve for BSplineCurve<P> {
     }
 
     /// The knots of the result are clamped.
-    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_start(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         possible(self, "the spline", derivatives)?;
         let mut curve = self.clamped();
         let knots = &curve.knots;
-        replace_first(&mut curve.points, derivatives, |k| {
+        replace_first(&mut curve.points, &as_points(derivatives), |k| {
             knots.derivatives_on(knots.degree(), knots.domain()[0], k).to_vec()
         })?;
         Ok(curve)
     }
 
     /// The knots of the result are clamped.
-    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_end(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         Ok(self.reversed().with_start(&backwards(derivatives))?.reversed())
     }
 }

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::{CurveScalar, ParametricCurve};
+use super::{CurveScalar, CurveVector, ParametricCurve};
 use crate::curve::backwards;
 use crate::numeric::binomial::binomial;
 use crate::numeric::leibniz;
@@ -21,20 +21,21 @@ pub trait JoinableCurve: ParametricCurve + Sized {
     /// determine.
     fn highest_contact(&self) -> usize;
 
-    /// The curve with this point and these derivatives `[C, C', …]` at its start: as many control points as there are of
-    /// these are replaced, weights and knots stay.
+    /// The curve with this point and these derivatives `[C, C', …]` at its start, as
+    /// [`derivatives_into`](ParametricCurve::derivatives_into) gives them: as many control points as there are of these are
+    /// replaced, weights and knots stay.
     ///
     /// # Errors
     /// [`CurveError::Contact`] if there are more than the [`highest_contact`](Self::highest_contact) allows,
     /// [`CurveError::Join`] if the control points do not determine them, [`CurveError::NotFinite`] if a computed point is
     /// not finite.
-    fn with_start(&self, derivatives: &[Self::Point]) -> Result<Self, CurveError>;
+    fn with_start(&self, derivatives: &[CurveVector<Self>]) -> Result<Self, CurveError>;
 
     /// As [`with_start`](Self::with_start), at the end of the curve.
     ///
     /// # Errors
     /// As [`with_start`](Self::with_start).
-    fn with_end(&self, derivatives: &[Self::Point]) -> Result<Self, CurveError>;
+    fn with_end(&self, derivatives: &[CurveVector<Self>]) -> Result<Self, CurveError>;
 }
 
 /// What a curve that is joined to another one at its parameter `t` has there.
@@ -43,21 +44,26 @@ pub(super) fn touching<P: Point>(
     t: P::Scalar,
     contact: Contact<P::Scalar>,
     most: usize,
-) -> Result<Vec<P>, CurveError> {
+) -> Result<Vec<P::Vector>, CurveError> {
     if contact.order() > most {
         return Err(CurveError::Contact { family: "the curve", most, found: contact.order() });
     }
     let mut derivatives = alloc::vec![P::Vector::zero(); contact.order() + 1];
     curve.derivatives_into(t, &mut derivatives);
     contact.transform(&mut derivatives)?;
-    Ok(derivatives.into_iter().map(P::from_vector).collect())
+    Ok(derivatives)
+}
+
+/// The point and the derivatives as control points take them.
+pub(crate) fn as_points<P: Point>(derivatives: &[P::Vector]) -> Vec<P> {
+    derivatives.iter().map(|&derivative| P::from_vector(derivative)).collect()
 }
 
 /// The error for more derivatives than a curve can have.
 pub(crate) fn possible<C: JoinableCurve>(
     curve: &C,
     family: &'static str,
-    derivatives: &[C::Point],
+    derivatives: &[CurveVector<C>],
 ) -> Result<(), CurveError> {
     let (most, found) = (curve.highest_contact(), derivatives.len().saturating_sub(1));
     if found > most { Err(CurveError::Contact { family, most, found }) } else { Ok(()) }
@@ -95,16 +101,16 @@ macro_rules! over_family {
                 self.control_points().len().saturating_sub(1)
             }
 
-            fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+            fn with_start(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
                 possible(self, B::NAME, derivatives)?;
-                let points = self.basis().start_points(derivatives, copied(self.control_points()))?;
+                let points = self.basis().start_points(&as_points(derivatives), copied(self.control_points()))?;
                 finite(points.as_ref())?;
                 Ok(Self::new(self.basis(), points))
             }
 
-            fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+            fn with_end(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
                 possible(self, B::NAME, derivatives)?;
-                let points = self.basis().end_points(derivatives, copied(self.control_points()))?;
+                let points = self.basis().end_points(&as_points(derivatives), copied(self.control_points()))?;
                 finite(points.as_ref())?;
                 Ok(Self::new(self.basis(), points))
             }
@@ -123,17 +129,18 @@ impl<B: SpannedBasis, P: Point<Scalar = B::Scalar>> JoinableCurve for SpannedCur
         B::LEN.saturating_sub(1)
     }
 
-    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_start(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         possible(self, B::NAME, derivatives)?;
-        let points = self.basis().span(0).start_points(derivatives, copied(self.control_points()))?;
+        let points =
+            self.basis().span(0).start_points(&as_points(derivatives), copied(self.control_points()))?;
         finite(points.as_ref())?;
         Ok(Self::new(self.basis(), points))
     }
 
-    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_end(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         possible(self, B::NAME, derivatives)?;
         let last = self.basis().span(B::SPANS - 1);
-        let points = last.end_points(derivatives, copied(self.control_points()))?;
+        let points = last.end_points(&as_points(derivatives), copied(self.control_points()))?;
         finite(points.as_ref())?;
         Ok(Self::new(self.basis(), points))
     }
@@ -146,13 +153,13 @@ impl<P: Point> JoinableCurve for RationalSpline<P> {
         curves[0].degree().min(curves[curves.len() - 1].degree())
     }
 
-    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_start(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         let mut curves = self.curves().to_vec();
         curves[0] = curves[0].with_start(derivatives)?;
         Self::new(curves)
     }
 
-    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_end(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         let mut curves = self.curves().to_vec();
         let last = curves.len() - 1;
         curves[last] = curves[last].with_end(derivatives)?;
@@ -169,7 +176,7 @@ impl<P: Point> JoinableCurve for RationalBezier<P> {
         self.degree()
     }
 
-    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_start(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         possible(self, "the Bézier curve", derivatives)?;
         let [lo, hi] = self.domain();
         let degree = self.degree();
@@ -187,14 +194,14 @@ impl<P: Point> JoinableCurve for RationalBezier<P> {
             |k: usize| row(k).iter().zip(self.weights()).fold(P::Scalar::ZERO, |sum, (&a, &w)| sum + a * w);
         let weights: Vec<P::Scalar> = (0..derivatives.len()).map(weight).collect();
         let mut points = self.numerator().to_vec();
-        replace_first(&mut points, &leibniz::product(derivatives, &weights), row)?;
+        replace_first(&mut points, &leibniz::product(&as_points(derivatives), &weights), row)?;
         let divided = points.iter().zip(self.weights());
         let divided: Vec<P> = divided.map(|(p, &w)| P::from_components(|d| p.component(d) / w)).collect();
         finite(&divided)?;
         Ok(Self::new(divided, self.weights().to_vec())?.with_domain([lo, hi]))
     }
 
-    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_end(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         Ok(self.reversed().with_start(&backwards(derivatives))?.reversed())
     }
 }

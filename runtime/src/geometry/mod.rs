@@ -20,7 +20,7 @@ mod pierce;
 pub use closest::Closest;
 pub use continued::JoinableCurve;
 #[cfg(feature = "bspline")]
-pub(crate) use continued::{possible, replace_first};
+pub(crate) use continued::{as_points, possible, replace_first};
 pub(crate) use convert::clamped;
 pub(crate) use curves::forward;
 pub(crate) use measure::bounds::control_box;

@@ -209,13 +209,13 @@ impl<P: Point> JoinableCurve for Path<P> {
         first.degree().min(last.degree())
     }
 
-    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_start(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         let mut path = self.clone();
         path.segments[0] = path.segments[0].with_start(derivatives)?;
         Ok(path)
     }
 
-    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_end(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         Ok(self.reversed().with_start(&backwards(derivatives))?.reversed())
     }
 }

@@ -154,7 +154,7 @@ impl<P: Point> PathSegment<P> {
     }
 
     /// The segment with this point and these derivatives at its start; its weights stay.
-    pub(super) fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    pub(super) fn with_start(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         let weights = match self.weights() {
             Some(weights) => weights.to_vec(),
             None => alloc::vec![P::Scalar::ONE; self.points.len()],

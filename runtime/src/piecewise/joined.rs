@@ -3,20 +3,20 @@
 use alloc::vec::Vec;
 
 use super::PiecewiseCurve;
-use crate::{CurveError, CurveScalar, JoinableCurve, Point, Scalar};
+use crate::{CurveError, CurveScalar, CurveVector, JoinableCurve, Point, Scalar};
 
 impl<C: JoinableCurve + Clone> JoinableCurve for PiecewiseCurve<C> {
     fn highest_contact(&self) -> usize {
         self.segments[0].highest_contact().min(self.last().highest_contact())
     }
 
-    fn with_start(&self, derivatives: &[C::Point]) -> Result<Self, CurveError> {
+    fn with_start(&self, derivatives: &[CurveVector<C>]) -> Result<Self, CurveError> {
         let mut moved = self.clone();
         moved.segments[0] = moved.segments[0].with_start(&in_segment(&moved.segments[0], derivatives))?;
         Ok(moved)
     }
 
-    fn with_end(&self, derivatives: &[C::Point]) -> Result<Self, CurveError> {
+    fn with_end(&self, derivatives: &[CurveVector<C>]) -> Result<Self, CurveError> {
         let (mut moved, last) = (self.clone(), self.segments.len() - 1);
         moved.segments[last] = moved.segments[last].with_end(&in_segment(self.last(), derivatives))?;
         Ok(moved)
@@ -24,7 +24,7 @@ impl<C: JoinableCurve + Clone> JoinableCurve for PiecewiseCurve<C> {
 }
 
 /// The derivatives in the parameter of a segment, of which the unit interval of the whole curve is one.
-fn in_segment<C: JoinableCurve>(segment: &C, derivatives: &[C::Point]) -> Vec<C::Point> {
+fn in_segment<C: JoinableCurve>(segment: &C, derivatives: &[CurveVector<C>]) -> Vec<CurveVector<C>> {
     let [lo, hi] = segment.domain();
     let mut scale = CurveScalar::<C>::ONE;
     let scaled = derivatives.iter().map(|derivative| {

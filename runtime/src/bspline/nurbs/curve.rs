@@ -6,7 +6,7 @@ use core::ops::Range;
 use super::homogeneous::check_weights;
 use crate::bspline::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
 use crate::curve::backwards;
-use crate::geometry::{possible, replace_first};
+use crate::geometry::{as_points, possible, replace_first};
 use crate::numeric::binomial::binomial;
 use crate::numeric::leibniz;
 #[cfg(feature = "serde")]
@@ -333,7 +333,7 @@ impl<P: Point> JoinableCurve for NurbsCurve<P> {
     }
 
     /// The knots of the result are clamped.
-    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_start(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         possible(self, "the spline", derivatives)?;
         let clamped = self.homogeneous.clamped();
         let (knots, points) = (clamped.knots(), clamped.control_points());
@@ -346,7 +346,7 @@ impl<P: Point> JoinableCurve for NurbsCurve<P> {
         };
         let weights: Vec<P::Scalar> = (0..derivatives.len()).map(weight).collect();
         let mut scaled: Vec<P> = points.iter().map(|point| point.scaled).collect();
-        replace_first(&mut scaled, &leibniz::product(derivatives, &weights), row)?;
+        replace_first(&mut scaled, &leibniz::product(&as_points(derivatives), &weights), row)?;
         let points: Vec<Homogeneous<P>> = scaled
             .into_iter()
             .zip(points)
@@ -356,7 +356,7 @@ impl<P: Point> JoinableCurve for NurbsCurve<P> {
     }
 
     /// The knots of the result are clamped.
-    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+    fn with_end(&self, derivatives: &[P::Vector]) -> Result<Self, CurveError> {
         Ok(self.reversed().with_start(&backwards(derivatives))?.reversed())
     }
 }
