@@ -59,33 +59,39 @@ fn scaled(x: &Rational, power: i64) -> Rational {
     (&x + &Rational::new(1, 2)).floor()
 }
 
-/// The shortest decimal that a program reads as a finite `f64` ≥ 0, with a decimal point and without an exponent: `0.25`, `3.0`.
+/// The shortest decimal that a program reads as a finite `f64`, with a decimal point and without an exponent: `-0.25`, `3.0`.
 pub(crate) fn of_float(x: f64) -> String {
-    let (digits, exponent) = shortest(x, &|decimal| decimal.to_f64());
-    plain(&digits, exponent)
+    let (digits, exponent) = shortest(x.abs(), &|decimal| decimal.to_f64());
+    format!("{}{}", minus(x), plain(&digits, exponent))
 }
 
 /// The same with an exponent where it is much shorter: `1e-30`.
 #[cfg(any(test, feature = "tools"))]
 pub(crate) fn of_f64(x: f64) -> String {
-    with_exponent(shortest(x, &|decimal| decimal.to_f64()))
+    with_exponent(x, shortest(x.abs(), &|decimal| decimal.to_f64()))
 }
 
 /// As [`of_f64`] for `f32`.
 #[cfg(any(test, feature = "tools"))]
 pub(crate) fn of_f32(x: f32) -> String {
-    with_exponent(shortest(f64::from(x), &|decimal| f64::from(decimal.to_f64() as f32)))
+    let x = f64::from(x);
+    with_exponent(x, shortest(x.abs(), &|decimal| f64::from(decimal.to_f64() as f32)))
 }
 
 /// Numbers from 10⁻⁴ to 10¹⁶ are written without an exponent.
 #[cfg(any(test, feature = "tools"))]
-fn with_exponent((digits, exponent): (String, i64)) -> String {
+fn with_exponent(x: f64, (digits, exponent): (String, i64)) -> String {
+    let minus = minus(x);
     if (-4..16).contains(&exponent) {
-        return plain(&digits, exponent);
+        return format!("{minus}{}", plain(&digits, exponent));
     }
     let (whole, part) = digits.split_at(1);
     let point = if part.is_empty() { "" } else { "." };
-    format!("{whole}{point}{part}e{exponent}")
+    format!("{minus}{whole}{point}{part}e{exponent}")
+}
+
+fn minus(x: f64) -> &'static str {
+    if x < 0.0 { "-" } else { "" }
 }
 
 /// Digits of which the first stands for a multiple of 10^exponent.
@@ -152,13 +158,14 @@ mod tests {
         let halves = (-1074..1024).step_by(9).map(|k| 2_f64.powi(k));
         let short = (0..500).map(|k| f64::from(k) / 100.0);
         let any = (0..300).map(|_| f64::from_bits(random.bits() >> 1)).filter(|x| x.is_finite());
-        for x in halves.chain(short).chain(any.collect::<Vec<_>>()) {
+        let positive = halves.chain(short).chain(any.collect::<Vec<_>>());
+        for x in positive.flat_map(|x| [x, -x]) {
             let texts = [of_float(x), of_f64(x)];
-            assert_eq!(texts.clone().map(|text| text.parse()), [Ok(x), Ok(x)], "{texts:?}");
+            assert_eq!(texts.clone().map(|text| text.parse::<f64>()), [Ok(x), Ok(x)], "{texts:?}");
             assert!(texts.iter().all(|text| text.contains(['.', 'e'])), "{texts:?}");
             // Below a power of two floats are nearer than above it, where there may be a shorter one that is not the nearest.
             let more = 2 * usize::from(x.to_bits() << 12 == 0);
-            let known = format!("{x:?}").len();
+            let known = format!("{:?}", x + 0.0).len();
             assert!((known..=known + more).contains(&texts[1].len()), "{}", texts[1]);
             if (x as f32).is_finite() {
                 assert_eq!(of_f32(x as f32).parse(), Ok(x as f32));

@@ -234,7 +234,7 @@ impl Source<'_> {
             }));
             #[cfg(not(any(test, feature = "rounding")))]
             {
-                let _ = zeros;
+                let _ = (zeros, self.truncations); // nobody asks without the feature
                 truncations.push(None);
             }
             let value = series[..=degree].iter().rev().fold(Poly::zero(), |sum, c| &(&sum * &place) + c);
