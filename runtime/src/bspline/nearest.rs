@@ -20,9 +20,9 @@ impl<P: Point> BSplineSurface<P> {
     ///
     /// Where very many points are almost equally near, such as around the centre of a sphere, the work ends earlier:
     /// the point is still a minimum, and `at_least` says how much is proved. At a knot where the surface jumps the
-    /// point may be the limit from one side. Patches with control points that are not finite are left out.
+    /// point may be the limit from one side.
     ///
-    /// `None` if the point, or the surface everywhere, is not finite.
+    /// `None` if the point, a control point of the surface or the distance is not finite.
     ///
     /// ```
     /// use basis_runtime::bspline::{BSplineSurface, Net};
@@ -40,6 +40,9 @@ impl<P: Point> BSplineSurface<P> {
     pub fn nearest(&self, point: P, accuracy: P::Scalar) -> Option<Nearest<P, [P::Scalar; 2]>> {
         let spans = [Direction::U, Direction::V].map(|d| self.knots(d).spans().collect::<Vec<_>>());
         let differences = self.net().map(|p| p.minus(point));
+        if !differences.as_slice().iter().all(|&p| length(p).is_finite()) {
+            return None;
+        }
         let unit = length_unit(differences.as_slice().iter().map(|&p| length(p)));
         let pieces = self.pieces(point, unit);
         let epsilon = P::Scalar::EPSILON.to_f64();
