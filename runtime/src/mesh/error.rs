@@ -32,7 +32,7 @@ pub enum MeshError {
         /// The number of the surface, in the order in which they were added.
         surface: usize,
     },
-    /// The tolerance needs more pieces than a mesh can have.
+    /// The tolerance needs more pieces than a mesh can have, or is as small as rounding errors of the surface.
     TooFine {
         /// The number of the surface, in the order in which they were added.
         surface: usize,

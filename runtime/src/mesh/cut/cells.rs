@@ -328,14 +328,11 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         MeshError::TooFine { surface: self.surface, most: MOST }
     }
 
-    /// The error of a rectangle that is not flat enough and cannot be cut.
-    fn stuck(&self, flatness: &Flatness) -> MeshError {
-        let bends = flatness.bends[0].max(flatness.bends[1]);
-        if flatness.distance.is_finite() || bends.is_finite() {
-            self.too_fine()
-        } else {
-            MeshError::NotFinite { surface: self.surface }
-        }
+    /// The error of a rectangle that is not flat enough and cannot be cut, also where the tolerance is as small as
+    /// rounding errors.
+    fn stuck(&self) -> MeshError {
+        let size = self.pieces.iter().map(|piece| piece.net.farthest(&[0.0; 3])).fold(0.0, flat::larger);
+        if size.is_finite() { self.too_fine() } else { MeshError::NotFinite { surface: self.surface } }
     }
 
     /// The error if a rectangle will never be flat enough, or if more are needed than there may be, as far as the
@@ -346,7 +343,7 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         for _ in 0..CUTS {
             let Some(worst) = heap.pop().filter(|worst| worst.needed > 1.0) else { break };
             let Some(axis) = worst.open.cell.direction(&worst.flatness, &self.lines) else {
-                return Err(self.stuck(&worst.flatness));
+                return Err(self.stuck());
             };
             heap.extend(self.cut(worst.open, axis).map(|half| Estimate::new(self, half)));
         }
@@ -442,8 +439,7 @@ impl Cells {
             if flatness.distance <= sheet.allowed(next.cell) {
                 self.add(Leaf { cell: next.cell, distance: flatness.distance, corners: 4 });
             } else {
-                let axis =
-                    next.cell.direction(&flatness, &sheet.lines).ok_or_else(|| sheet.stuck(&flatness))?;
+                let axis = next.cell.direction(&flatness, &sheet.lines).ok_or_else(|| sheet.stuck())?;
                 let [before, after] = sheet.cut(next, axis);
                 open.extend([after, before]);
             }
@@ -492,7 +488,7 @@ impl Cells {
                 Ordering::Less => 1,
                 Ordering::Equal => {
                     let flatness = sheet.flatness(&whole);
-                    leaf.cell.direction(&flatness, &sheet.lines).ok_or_else(|| sheet.stuck(&flatness))?
+                    leaf.cell.direction(&flatness, &sheet.lines).ok_or_else(|| sheet.stuck())?
                 }
             };
             open.extend(sheet.cut(whole, axis));

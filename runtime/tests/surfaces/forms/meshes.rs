@@ -375,6 +375,11 @@ fn refused() {
     let bent = graph(|u, v| u * u + v * v);
     let error = Tessellation::new(1e-14).unwrap().with(&bent).mesh().unwrap_err();
     assert!(matches!(error, MeshError::TooFine { surface: 0, .. }), "{error}");
+    // So far away that the tolerance is a rounding error.
+    let far = [1e12, 1e12 + 1.0].map(|x| [x, 1.0]);
+    let far = SurfaceOfRevolution::about_x(&Bezier::from_points(far), FULL).unwrap();
+    let error = Tessellation::new(1e-4).unwrap().with(&far).mesh().unwrap_err();
+    assert!(matches!(error, MeshError::TooFine { surface: 0, .. }), "{error}");
     // A quotient with a pole.
     let linear = BernsteinBasis::<f64, 2>::new();
     let net = [[[0.0; 3], [0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]];
