@@ -68,7 +68,8 @@ where
     /// [`JoinError::Factor`] as for curves; [`JoinError::Contact`] if the order is not below the number of control points of
     /// `next` across the edge; [`JoinError::FirstShape`] and [`JoinError::SecondShape`] if the rows that count at an edge along
     /// `v` have different shape values; [`JoinError::Unreachable`] if the family of `next` along the edge does not hold the
-    /// derivatives; [`JoinError::Undetermined`] if its control points across the edge do not determine them.
+    /// derivatives; [`JoinError::Undetermined`] if its control points across the edge do not determine them;
+    /// [`JoinError::NotFinite`] if a computed control point is not finite.
     pub fn continued<W, X>(
         &self,
         edges: EdgePair,
