@@ -217,7 +217,7 @@ fn patches_on_simplices_and_boxes() {
     again(BoxPatch::new(Bilinear::new(), [[0.0, 0.0], [0.0, 2.0], [4.0, 0.0], [6.0, 3.0]]));
     again(SurfaceDomain::Rectangle([[0.0, 1.0], [-2.0, 3.0]]));
     again(SurfaceDomain::<f64>::Triangle);
-    again(TriangleContact { order: 1, apex: [1.0, 1.0, -1.0] });
+    again(TriangleContact::new(1, [1.0, 1.0, -1.0]));
     again(TriangleEdge::V);
     again(EdgeBasis::new(TriangularII::new(1.5, 2.0).unwrap(), TriangleEdge::W));
     again(triangle().edge_curve(TriangleEdge::U));

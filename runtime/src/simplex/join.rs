@@ -17,11 +17,20 @@ use crate::{Array, EdgePair, JoinError, Orientation, Point, Scalar};
 /// from the edge to the apex, in all derivatives up to the order: 0 is a common edge, 1 is G1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct TriangleContact<S> {
     /// The order of the contact.
     pub order: usize,
     /// The third corner of the triangle of the second patch, a point beyond the edge in barycentric coordinates of the first.
     pub apex: [S; 3],
+}
+
+impl<S> TriangleContact<S> {
+    /// The contact of that order, over the triangle from the edge to that point, in barycentric coordinates of the first
+    /// patch.
+    pub const fn new(order: usize, apex: [S; 3]) -> Self {
+        Self { order, apex }
+    }
 }
 
 impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
@@ -50,7 +59,7 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// let draft = TriangularBezier::<[f64; 3], 3, 6>::from_points([[1.0, 1.0, 3.0]; 6]);
     /// // Beyond the edge w = 0 to the place (1, 1); its far corner may be anywhere.
     /// let edges = EdgePair::against(Edge::VEnd, Edge::VEnd);
-    /// let second = first.continued(edges, TriangleContact { order: 1, apex: [1.0, 1.0, -1.0] }, &draft)?;
+    /// let second = first.continued(edges, TriangleContact::new(1, [1.0, 1.0, -1.0]), &draft)?;
     /// assert_eq!(second.control_points(), [
     ///     [1.0, 1.0, 3.0], [1.0, 0.5, 0.5], [1.0, 0.0, 0.0], [0.5, 1.0, 0.5], [0.5, 0.5, 0.5], [0.0, 1.0, 0.0],
     /// ]);

@@ -251,7 +251,7 @@ fn of_surfaces() {
             "`TriangularPatch`",
             ask_surface!(triangle,
                 eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd); map(|p| p); transform(&TURN);
-                continued(EdgePair::against(Edge::VEnd, Edge::VEnd), TriangleContact { order: 0, apex: [1.0, 1.0, -1.0] }, &triangle);),
+                continued(EdgePair::against(Edge::VEnd, Edge::VEnd), TriangleContact::new(0, [1.0, 1.0, -1.0]), &triangle);),
         ),
         ("`BoxPatch`", sheet),
         ("dyn", {

@@ -75,7 +75,7 @@ const TRIANGLE: &[Case<Triangle>] = &[
     ("continued", |s, a, b| {
         [0, 1, 3, 4, usize::MAX].into_iter().all(|order| {
             Edge::ALL.into_iter().all(|edge| {
-                let contact = TriangleContact { order, apex: [0.5, a, b] };
+                let contact = TriangleContact::new(order, [0.5, a, b]);
                 let next = s.continued(EdgePair::along(Edge::VStart, edge), contact, s);
                 next.map_or(true, |next| next.control_points().iter().all(|&p| is_finite(p)))
             })

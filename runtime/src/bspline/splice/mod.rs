@@ -80,6 +80,7 @@ pub enum Method {
 /// What the second row of control points does before it is corrected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum SecondRow {
     /// It gets the same change as the edge.
     Carried,
@@ -90,6 +91,7 @@ pub enum SecondRow {
 /// The degree and the knots along the edge to which those for the sake of the tolerances are added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum EdgeKnots {
     /// The degree is raised to that of the target and its knots are inserted, so that the edge is met exactly.
     Merged,

@@ -48,9 +48,9 @@ pub enum JoinError {
     /// An edge of a surface of revolution is a meridian, beyond which the surface that continues it is itself, turned
     /// on.
     Meridian,
-    /// The knots of two B-spline surfaces along their edges cannot be merged.
-    #[cfg(feature = "bspline")]
-    Knots(crate::bspline::KnotError),
+    /// The knots of two B-spline surfaces along their edges cannot be merged: some are so near one another that rounding
+    /// makes them one.
+    Knots,
     /// A control point that is computed is not finite.
     NotFinite,
     /// No control points of the family with these shape values give the second surface the derivatives of the first one.
@@ -96,7 +96,9 @@ impl Display for JoinError {
                  by a larger angle"
             ),
             #[cfg(feature = "bspline")]
-            Self::Knots(error) => error.fmt(f),
+            Self::Knots => f.write_str(
+                "the knots of the surfaces along their edges cannot be merged: some are so near one another that rounding makes them one",
+            ),
             Self::NotFinite => f.write_str("a computed control point is infinite or NaN"),
             Self::Unreachable => write!(
                 f,
@@ -112,19 +114,11 @@ impl Display for JoinError {
     }
 }
 
-impl Error for JoinError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        match self {
-            #[cfg(feature = "bspline")]
-            Self::Knots(error) => Some(error),
-            _ => None,
-        }
-    }
-}
+impl Error for JoinError {}
 
 #[cfg(feature = "bspline")]
 impl From<crate::bspline::KnotError> for JoinError {
-    fn from(error: crate::bspline::KnotError) -> Self {
-        Self::Knots(error)
+    fn from(_: crate::bspline::KnotError) -> Self {
+        Self::Knots
     }
 }

@@ -189,7 +189,7 @@ fn are_continued() {
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let family = TriangularII::new(random.between(0.5, 3.0), random.between(0.5, 2.0)).unwrap();
         let second = first
-            .continued(pair, TriangleContact { order: 1, apex }, &TriangularPatch::new(family, points))
+            .continued(pair, TriangleContact::new(1, apex), &TriangularPatch::new(family, points))
             .unwrap();
         // Control points farther away are free.
         assert!(
@@ -205,7 +205,7 @@ fn are_continued() {
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let basis = TriangularBernsteinBasis::<f64, 7, 28>::new();
         let smooth = first
-            .continued(pair, TriangleContact { order: 2, apex }, &TriangularPatch::new(basis, points))
+            .continued(pair, TriangleContact::new(2, apex), &TriangularPatch::new(basis, points))
             .unwrap();
         let joint = first.joint(pair, &smooth, 33);
         assert_eq!(joint.geometric_order(1e-11, 1e-6, 1e-4), Some(2), "{joint:?}");
@@ -222,19 +222,19 @@ fn continuations_that_do_not_exist() {
     let points = [[0.5; 3]; 15];
     let apex = [-1.0, 1.0, 1.0];
     let draft = TriangularPatch::new(family, points);
-    let along = |apex, order| first.continued(PAIR, TriangleContact { order, apex }, &draft).map(|_| ());
+    let along = |apex, order| first.continued(PAIR, TriangleContact::new(order, apex), &draft).map(|_| ());
     assert_eq!(along(apex, 1), Ok(()));
     assert_eq!(along([0.5, 0.5, 0.0], 1), Err(JoinError::Apex { value: 0.5 }));
     assert!(matches!(along([f64::NAN, 0.5, 0.5], 1), Err(JoinError::Apex { .. })));
     for corner in [EdgePair::along(Edge::UEnd, Edge::VEnd), EdgePair::along(Edge::VEnd, Edge::UEnd)] {
-        let found = first.continued(corner, TriangleContact { order: 0, apex }, &draft).map(|_| ());
+        let found = first.continued(corner, TriangleContact::new(0, apex), &draft).map(|_| ());
         assert_eq!(found, Err(JoinError::Corner));
     }
     assert_eq!(along(apex, 5), Err(JoinError::Contact { most: 4, found: 5 }));
     // Four points on an edge of degree four are one too few.
     let quartic = TriangularI::new(2.0, 4.0).unwrap();
     let found = first
-        .continued(PAIR, TriangleContact { order: 0, apex }, &TriangularPatch::new(quartic, [[0.5; 3]; 6]))
+        .continued(PAIR, TriangleContact::new(0, apex), &TriangularPatch::new(quartic, [[0.5; 3]; 6]))
         .map(|_| ());
     assert_eq!(found, Err(JoinError::Unreachable));
     // At λ2 = 0 and λ1 = 3 the order 3 has no function for its inner point; at λ2 = 2 all are those of Bernstein.
@@ -244,16 +244,12 @@ fn continuations_that_do_not_exist() {
     }));
     let with = |lambda2| {
         let basis = TriangularCubic::new(3.0, lambda2).unwrap();
-        cubic.continued(
-            PAIR,
-            TriangleContact { order: 1, apex },
-            &TriangularPatch::new(basis, [[0.5; 3]; 10]),
-        )
+        cubic.continued(PAIR, TriangleContact::new(1, apex), &TriangularPatch::new(basis, [[0.5; 3]; 10]))
     };
     assert_eq!(with(0.0).map(|_| ()), Err(JoinError::Unreachable));
     let bernstein = cubic.continued(
         PAIR,
-        TriangleContact { order: 1, apex },
+        TriangleContact::new(1, apex),
         &TriangularBezier::<[f64; 3], 4, 10>::from_points([[0.5; 3]; 10]),
     );
     let (ours, theirs) = (with(2.0).unwrap(), bernstein.unwrap());
