@@ -69,7 +69,7 @@ use angles::OnCoordinates;
 pub use angles::{BARYCENTRIC, NEAREST, assumed, has_ends_beside_floats, needs_functions};
 use cell::Cell;
 use exact::Exact;
-use refine::{Lack, refined};
+use refine::{Lack, refined, told_if_spent};
 use relative::Relative;
 
 /// How far a computed value may be from the exact one, in units of ε, the distance from 1 to the next float: 2⁻²³ for
@@ -230,6 +230,7 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
 fn with_share<T>(work: &mut Work, share: u64, part: &mut dyn FnMut(&mut Work) -> Option<T>) -> Option<T> {
     let mut own = Work::new(share);
     let result = part(&mut own);
+    told_if_spent(&own);
     work.spend(share - own.left())?;
     result
 }

@@ -69,7 +69,8 @@ fn binding(
         let found = [bounded, sizes].map(|cells| {
             let mut largest = Rational::ZERO;
             for (bound, part) in cells {
-                parts.push(Part { own: Some(bound.clone()), ..part });
+                let own = part.own.clone().or_else(|| Some(bound.clone()));
+                parts.push(Part { own, ..part });
                 largest = largest.max(bound);
             }
             largest

@@ -33,6 +33,23 @@ pub(super) enum Lack {
 /// The bound on a cell in u, with what it follows from.
 pub(super) type OnCell<'f> = dyn FnMut(&Cell, &mut Work) -> Result<(Rational, Part), Lack> + 'f;
 
+/// Whether this much work is left. Where it is not, more work may lead to another bound. That is told of: a claim is
+/// then decided again with all the work there is for it, and says what explanations and emitted files say.
+fn suffices(work: &Work, units: u64) -> bool {
+    let suffices = work.left() >= units;
+    if !suffices {
+        basis_prover::done_less_often();
+    }
+    suffices
+}
+
+/// Tells of a part of the work that is spent, likewise.
+pub(super) fn told_if_spent(part: &Work) {
+    if part.left() == 0 {
+        basis_prover::done_less_often();
+    }
+}
+
 /// A cell with its bound.
 struct Leaf {
     cell: Cell,
@@ -64,7 +81,7 @@ impl Leaf {
         work: &mut Work,
     ) -> Option<[Self; 2]> {
         let mut half = |cell: Cell| {
-            if work.left() < self.taken {
+            if !suffices(work, self.taken) {
                 return None;
             }
             let half = Self::new(cell, self.depth + 1, on, work);
@@ -84,6 +101,9 @@ impl Leaf {
             let is_cut = self.depth < DEPTH * along.len() && self.found.as_ref().err() == Some(&Lack::Here);
             return is_cut.then(|| in_turn.find_map(|var| self.cut(*var, None, on, work)))?.map(Vec::from);
         };
+        if bound.is_zero() {
+            return None;
+        }
         let part = |of: i64| bound * &Rational::new(of, 256);
         let (mut most, mut best) = (part(LEAST_GAIN), None);
         for var in in_turn {
@@ -97,7 +117,7 @@ impl Leaf {
             }
         }
         // A higher degree takes more work.
-        if let Some(cell) = self.cell.raised().filter(|_| work.left() / 4 > self.taken) {
+        if let Some(cell) = self.cell.raised().filter(|_| suffices(work, 4 * self.taken)) {
             let raised = Self::new(cell, self.depth, on, work);
             if raised.bound().is_some_and(|own| *own <= most) {
                 best = Some(vec![raised]);
@@ -126,6 +146,7 @@ pub(super) fn refined(inputs: &Inputs, share: u64, work: &mut Work, on: &mut OnC
             let before = share.left();
             let better = leaves[worst].better(&along, on, &mut share);
             work.spend(before - share.left());
+            told_if_spent(&share);
             better
         } else {
             leaves[worst].better(&along, on, work)

@@ -70,6 +70,7 @@ fn on_finest<T>(share: u64, work: &mut Work, part: &mut dyn FnMut(u32, &mut Work
     let used = before - work.left();
     let left = share.saturating_sub(used);
     if left < 2 * u64::from(SHAPE_CELLS) * used {
+        basis_prover::done_less_often();
         return Some(whole);
     }
     Some(with_share(work, left, &mut |work| part(SHAPE_CELLS, work)).unwrap_or(whole))

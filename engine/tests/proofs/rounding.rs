@@ -5,7 +5,7 @@ use basis_engine::model::Factor;
 use basis_engine::plan::Input;
 use basis_engine::rounding::{self, Error};
 use basis_engine::steps::{FamilySteps, Steps};
-use basis_engine::{Disk, Family, Library, Prover, Selected, Source, Subject};
+use basis_engine::{Disk, Family, Library, Prover, Selected, Source, Subject, Verdict};
 
 /// Numbers that look random and are the same in every run.
 struct Random(u64);
@@ -187,6 +187,38 @@ fn no_error_is_beyond_its_bound() {
     // Of a patch with a shape parameter in a denominator there is none.
     assert!(patches[1] > 10 * patches[0], "{patches:?}");
     assert!(spanned[1] > 2 * spanned[0], "{spanned:?}");
+}
+
+/// The least claim, in hundredths of ε, that is proved is the largest bound of a function. So it is on several spans,
+/// where a function may have a relative bound on one and not on another, and where a claim is decided first with little
+/// work.
+#[test]
+fn claims_say_what_bounds_say() {
+    let families = [
+        "domain 0 <= x <= 1, 1 <= x <= 2; shape 0 <= c <= 1; \
+         f[0] = 1000*(x + c)*(1 + x + c*x^2) | (3/2 - x)*(1 + c);",
+        "domain triangle (u, v, w); shape 0 <= a <= 2, -1 <= c <= 1; \
+         f[0] = u^2*(1 + a*v); f[1] = (u - w)*(1 + c*v)/(1 + a + a^2);",
+        "domain 3 <= t <= 4; shape 5 <= s <= 6; f[0] = (s*t - 12)^2; f[1] = (t - 2)*(6 - t)/(s + t);",
+    ];
+    for text in families {
+        let family = |claim: &str| format!("family F {{ {text} {claim} }}");
+        let library = |spec: &str| Library::from_source(&Disk, &Prover, Source::text("claims.basis", spec));
+        let alone = library(&family(""));
+        let items = alone.items(Selected::EveryOrder);
+        let Subject::Family(subject) = &items[0].subject else { panic!("a family") };
+        let bounds = rounding::values(subject).unwrap();
+        let largest = bounds.into_iter().map(|bound| bound.unwrap().error.epsilons().clone()).max().unwrap();
+        for (claimed, is_proved) in [(largest.clone(), true), (&largest - &Rational::new(1, 100), false)] {
+            let library = library(&family(&format!("prove rounding <= {claimed};")));
+            let checked = basis_engine::decide_all(
+                library.items(Selected::EveryOrder),
+                &mut basis_engine::state::Run::default(),
+            );
+            let (_, verdict) = &checked[0].claims[0];
+            assert_eq!(matches!(verdict, Verdict::Proved(_)), is_proved, "{text} {claimed} {verdict:?}");
+        }
+    }
 }
 
 /// On several spans a function has one bound: relative where it is on all of them.

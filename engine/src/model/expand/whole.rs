@@ -175,8 +175,14 @@ fn claims_on_spans<'a>(
             continue;
         };
         for (j, claim) in first.iter().enumerate() {
-            let whole =
-                matches!(claim.kind, ClaimKind::Symmetric | ClaimKind::Independent(_) | ClaimKind::Smooth(_));
+            // A function has one bound of its rounding errors on all spans: relative where it is on each of them.
+            let whole = matches!(
+                claim.kind,
+                ClaimKind::Symmetric
+                    | ClaimKind::Independent(_)
+                    | ClaimKind::Smooth(_)
+                    | ClaimKind::Rounding(_)
+            );
             let kinds = parts.iter().filter_map(|(k, all)| Some((*k, all.get(j)?.kind.clone()))).listed();
             let kind = if whole { claim.kind.clone() } else { ClaimKind::Spans(kinds) };
             result.push(Claim { kind, ..claim.clone() });
