@@ -95,7 +95,6 @@ impl Display for JoinError {
                 "an edge of a surface of revolution is a meridian: its circles can be joined, and beyond a meridian it goes on \
                  by a larger angle"
             ),
-            #[cfg(feature = "bspline")]
             Self::Knots => f.write_str(
                 "the knots of the surfaces along their edges cannot be merged: some are so near one another that rounding makes them one",
             ),
