@@ -9,8 +9,9 @@ use crate::{Curvature, Point, Point3, Scalar, Surface, SurfaceDomain};
 
 /// How two surfaces meet along an edge, measured by [`Surface::joint`]: the largest figures at a number of samples.
 ///
-/// Between the samples they may be larger. Bounds for all parameters of the edge are what
-/// [`JointBounds`](crate::bspline::JointBounds) of B-spline surfaces has.
+/// Between the samples they may be larger. [`JointBounds`](crate::bspline::JointBounds) of B-spline surfaces has bounds for
+/// all parameters of the edge: of the same gap, and of the angle between the normals, which is [`angle`](Self::angle) where
+/// the edges have the same tangent.
 ///
 /// At a sample inside of the edge the limits from below and from above are measured, on the same side of the joint on
 /// both surfaces, and the larger figure counts. So a crease across the edge, as at a knot of low multiplicity, is no angle
@@ -25,7 +26,11 @@ pub struct EdgeJoint<S> {
     /// Where it occurs: the parameter of the first surface along its edge.
     pub gap_at: S,
     /// The largest angle in radians by which the surfaces do not continue each other: 0 where the joint is smooth, π
-    /// where one folds back on the other. NaN if at no sample both surfaces have a normal.
+    /// where one folds back on the other. It is the angle from the conormal out of the first surface, the unit vector in its
+    /// tangent plane that is perpendicular to its edge, to the one into the second. So it also counts by how much the
+    /// directions of the edges differ, which they do in the presence of a gap. Where an edge is a point, or a surface leaves
+    /// its edge along the edge, it is the angle between the tangent planes, up to π/2. NaN if at no sample both surfaces have
+    /// a normal.
     pub angle: S,
     /// Where it occurs: the parameter of the first surface along its edge; NaN if the angle is.
     pub angle_at: S,
