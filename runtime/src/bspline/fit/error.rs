@@ -95,6 +95,11 @@ pub enum FitError {
         /// The tolerance.
         value: f64,
     },
+    /// The angle from which on a polygon has a corner is negative or NaN.
+    Corner {
+        /// The angle.
+        value: f64,
+    },
     /// No curve that was tried is within the tolerance.
     NotReached {
         /// The tolerance.
@@ -152,6 +157,9 @@ impl Display for FitError {
             }
             Self::Shapes => f.write_str("nowhere in the ranges of the shape values is there a family"),
             Self::Tolerance { value } => write!(f, "the tolerance {value} is not a positive, finite number"),
+            Self::Corner { value } => {
+                write!(f, "the angle of a corner is {value}; it is a number of radians, at least 0")
+            }
             Self::NotReached { tolerance, reached } => write!(
                 f,
                 "the points are up to {reached} from the curve, more than the tolerance {tolerance}; use a larger one, \
