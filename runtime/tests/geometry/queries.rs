@@ -458,3 +458,24 @@ fn nearest_points_of_high_degree() {
         }
     }
 }
+
+/// Curvatures and torsions of a curve of any size are those of the same curve of size 1, in the unit of its size.
+#[test]
+fn curvatures_of_curves_of_any_size() {
+    let shape = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.5], [2.0, 1.5, 0.0], [1.0, 3.0, 1.0]];
+    let of = |size: f64| Bezier::from_points(shape.map(|p| p.map(|x| size * x)));
+    let (unit, flat) = (of(1.0), of(1.0).map(|[x, y, _]| [x, y]));
+    for size in [2.0_f64.powi(996), 2.0_f64.powi(-996)] {
+        let curve = of(size);
+        let in_plane = curve.map(|[x, y, _]| [x, y]);
+        for t in [0.0, 0.3, 1.0] {
+            let close = |a: f64, b: f64| (a * size / b - 1.0).abs() < 1e-13;
+            assert!(close(curve.curvature(t), unit.curvature(t)), "{}", curve.curvature(t));
+            assert!(close(ParametricCurve::curvature(&curve, t), unit.curvature(t)));
+            assert!(close(in_plane.curvature(t), flat.curvature(t)));
+            assert!(close(curve.torsion(t), unit.torsion(t)), "{}", curve.torsion(t));
+        }
+        let joint = curve.joint(&of(size));
+        assert!((joint.curvature * size / unit.joint(&unit).curvature - 1.0).abs() < 1e-13, "{joint:?}");
+    }
+}
