@@ -120,7 +120,9 @@ fn paths_along_points() {
         assert!(matches!(error, FitError::Corner { .. }), "{error}");
     }
     assert!(Fit::new(&zigzag).path_within(0.01, f64::INFINITY).is_ok());
-    assert!(Fit::new(&[[1.0, 1.0]; 5]).path_within(0.01, 0.5).is_err());
+    let error = Fit::new(&[[1.0, 1.0]; 5]).path_within(0.01, 0.5).unwrap_err();
+    assert_eq!(error, FitError::Coincide { index: 1 });
+    assert!(error.to_string().starts_with("point 1 coincides with the one before it"), "{error}");
 }
 
 /// The pieces of one cubic become that cubic.

@@ -38,10 +38,15 @@ pub enum FitError {
         /// Its index; that of a point of a grid counts row by row.
         index: usize,
     },
-    /// A parameter is not larger than the one before it; with parameters from distances, two neighbouring points
-    /// coincide.
+    /// A parameter is not larger than the one before it.
     NotIncreasing {
         /// The index of the parameter.
+        index: usize,
+    },
+    /// A point coincides with the one before it, so that parameters do not follow from their distance.
+    Coincide {
+        /// The index of the point; of a grid, in its row or column. Of a closed curve the number of points stands for the
+        /// first one, after the last.
         index: usize,
     },
     /// A basis function that the parameters do not determine: too few of them are in its support (the condition of
@@ -124,9 +129,13 @@ impl Display for FitError {
             Self::NotFinite { index } => {
                 write!(f, "point {index}, its parameter or its weight is not a finite number")
             }
-            Self::NotIncreasing { index } => write!(
+            Self::NotIncreasing { index } => {
+                write!(f, "parameter {index} is not larger than the one before it")
+            }
+            Self::Coincide { index } => write!(
                 f,
-                "parameter {index} is not larger than the one before it (do two neighbouring points coincide?)"
+                "point {index} coincides with the one before it, so that their distance gives no parameter: leave points \
+                 out that repeat, or give parameters"
             ),
             Self::Undetermined { function } => write!(
                 f,
