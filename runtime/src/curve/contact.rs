@@ -4,6 +4,10 @@ use crate::vector::{is_finite, largest_component, vectors};
 use crate::{Array, Basis, Curve, CurveError, Point, Scalar};
 
 /// How the derivatives of two curves P and Q, each in its own parameter, agree at a common point.
+///
+/// The equations are met as they stand. Geometric continuity follows from them where `P'` does not vanish; where it does,
+/// as at the end of a curve that is a point or at a pole of a surface, so does `Q'`, and there is no common tangent: the
+/// direction in which Q leaves is that of its first derivative that does not vanish.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -4,7 +4,8 @@ use crate::domain::{from_unit, inverse_width};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{
-    any_perpendicular, cross, direction, dot, largest_component, length, perpendicular, vectors, wedge,
+    any_perpendicular, cross, direction, dot, largest_component, length, perpendicular, safe_unit, vectors,
+    wedge,
 };
 use crate::{Basis, Curve, CurveError, Form, Point, Point3, Scalar};
 
@@ -182,9 +183,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 
 /// The torsion from the point and three derivatives.
 pub(crate) fn torsion<V: Point>([_, first, second, third]: [V; 4]) -> V::Scalar {
-    let binormal = cross(first, second);
+    // Of the product of two of them.
+    let [first_unit, second_unit] = [first, second].map(|vector| safe_unit(largest_component(vector), 1));
+    let scaled = |vector: V, unit: V::Scalar| V::from_components(|d| vector.component(d) / unit);
+    let binormal = cross(scaled(first, first_unit), scaled(second, second_unit));
     let size = length(binormal);
-    dot(V::from_components(|d| binormal.component(d) / size), third) / size
+    dot(scaled(binormal, size), third) / size / first_unit / second_unit
 }
 
 /// The Frenet frame from the point, two derivatives and the tangent. `bend` is the size of second derivatives of which
@@ -227,22 +231,53 @@ pub(crate) fn rotation_minimizing<P: Point3>(
 
 /// `|v ∧ a| / |v|³`, in the plane with its sign.
 pub(crate) fn curvature<P: Point>(velocity: P, acceleration: P) -> P::Scalar {
-    let speed = length(velocity);
-    let unit = P::from_components(|d| velocity.component(d) / speed);
+    let Bend { tangent, acceleration, unit, speed } = Bend::of(velocity, acceleration);
     let bend = if P::DIM == 2 {
-        wedge(unit, acceleration, 0, 1)
+        wedge(tangent, acceleration, 0, 1)
     } else {
         // Lagrange's identity by components: |v|² |a|² - (v·a)² would lose half of the digits.
         let mut sum = P::Scalar::ZERO;
         for i in 0..P::DIM {
             for j in 0..i {
-                let w = wedge(unit, acceleration, i, j);
+                let w = wedge(tangent, acceleration, i, j);
                 sum = sum + w * w;
             }
         }
         sum.sqrt()
     };
-    bend / speed / speed
+    bend * unit / speed / speed
+}
+
+/// `(a - (a·T) T) / |v|²` with the unit tangent `T`: the vector to the centre of curvature of the length of the curvature.
+/// `None` where the velocity vanishes or is not finite.
+pub(crate) fn curvature_vector<P: Point>(velocity: P, acceleration: P) -> Option<P> {
+    let tangent = direction(velocity)?;
+    let Bend { acceleration, unit, speed, .. } = Bend::of(velocity, acceleration);
+    let across = acceleration.add_weighted(tangent, -dot(acceleration, tangent));
+    Some(P::from_components(|d| across.component(d) * unit / speed / speed))
+}
+
+/// The first two derivatives of a curve in units in which products of them neither overflow nor vanish.
+struct Bend<P: Point> {
+    /// The velocity divided by the speed.
+    tangent: P,
+    /// The acceleration divided by the unit.
+    acceleration: P,
+    unit: P::Scalar,
+    speed: P::Scalar,
+}
+
+impl<P: Point> Bend<P> {
+    fn of(velocity: P, acceleration: P) -> Self {
+        let speed = length(velocity);
+        let unit = safe_unit(largest_component(acceleration), 1);
+        Self {
+            tangent: P::from_components(|d| velocity.component(d) / speed),
+            acceleration: P::from_components(|d| acceleration.component(d) / unit),
+            unit,
+            speed,
+        }
+    }
 }
 
 /// The normal of a frame after two reflections: the first maps its point to the next one, the second its tangent,

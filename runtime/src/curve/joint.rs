@@ -1,6 +1,7 @@
 //! How smoothly one curve continues another, measured.
 
-use crate::vector::{direction, distance, dot, length};
+use super::frame::curvature_vector;
+use crate::vector::{distance, length};
 use crate::{Basis, Curve, Point, Scalar};
 
 /// How the start of one curve continues the end of another, measured by [`Curve::joint`]. Along the edge of two
@@ -99,12 +100,4 @@ impl<S: Scalar> Joint<S> {
 fn angle<P: Point>(a: P, b: P) -> P::Scalar {
     let sum = a.add_weighted(b, P::Scalar::ONE);
     P::Scalar::of(2.0) * distance(a, b).atan2(length(sum))
-}
-
-/// `(a - (a·T) T) / |v|²`, with the unit tangent `T`.
-fn curvature_vector<P: Point>(velocity: P, acceleration: P) -> Option<P> {
-    let tangent = direction(velocity)?;
-    let speed = length(velocity);
-    let bend = acceleration.add_weighted(tangent, -dot(acceleration, tangent));
-    Some(P::from_components(|d| bend.component(d) / speed / speed))
 }

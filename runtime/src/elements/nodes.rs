@@ -1,7 +1,8 @@
 //! The nodes of nodal families: one point for each function, at which it is 1 and all others are 0.
 //!
 //! A family whose functions are nodal at points `x[i]` and span the coordinates has `Σ x[i] b[i] = x`. So the nodes are
-//! the coefficients of the coordinates in the basis, wherever they are.
+//! the coefficients of the coordinates in the basis, wherever they are. Those that the boundary of the cell has but for the
+//! rounding errors of the solution lie on it.
 
 use alloc::vec::Vec;
 
@@ -66,7 +67,7 @@ fn coordinates<V: Point>(weights: &[V], factors: &[Factor]) -> Option<Vec<f64>> 
     if factors.iter().any(|factor| factor.degree == 0) {
         return None;
     }
-    let columns = factors.iter().map(|factor| factor.coordinates.len()).sum();
+    let columns: usize = factors.iter().map(|factor| factor.coordinates.len()).sum();
     let mut matrix = Vec::with_capacity(weights.len() * (V::DIM + columns));
     for (row, weights) in weights.iter().enumerate() {
         matrix.extend((0..V::DIM).map(|i| weights.component(i).to_f64()));
@@ -75,7 +76,37 @@ fn coordinates<V: Point>(weights: &[V], factors: &[Factor]) -> Option<Vec<f64>> 
             matrix.extend(index.iter().map(|&k| k as f64 / factor.degree as f64));
         }
     }
-    least_squares(matrix, weights.len(), V::DIM, columns)
+    let mut found = least_squares(matrix, weights.len(), V::DIM, columns)?;
+    for node in found.chunks_mut(columns) {
+        let mut rest = node;
+        for factor in factors {
+            let (own, others) = rest.split_at_mut(factor.coordinates.len());
+            on_boundary(own, NOISE * V::Scalar::EPSILON.to_f64());
+            rest = others;
+        }
+    }
+    Some(found)
+}
+
+/// The errors that rounding leaves in coordinates, at most, in rounding errors of the coefficients of the functions.
+const NOISE: f64 = 256.0;
+
+/// Moves a point that lies on the boundary of a factor up to rounding errors to it. The barycentric coordinates of a simplex
+/// have the sum 1 again, by what is not rounded of the largest.
+fn on_boundary(coordinates: &mut [f64], noise: f64) {
+    for c in coordinates.iter_mut() {
+        for end in [0.0, 1.0] {
+            if (*c - end).abs() <= noise {
+                *c = end;
+            }
+        }
+    }
+    if coordinates.len() > 1 {
+        let largest =
+            (0..coordinates.len()).fold(0, |a, b| if coordinates[b] > coordinates[a] { b } else { a });
+        let others: f64 = (0..coordinates.len()).filter(|&i| i != largest).map(|i| coordinates[i]).sum();
+        coordinates[largest] = 1.0 - others;
+    }
 }
 
 /// The solution of an overdetermined linear system by Householder's reflections: each row of the matrix has `unknowns`

@@ -317,9 +317,13 @@ impl<'a, P: Point> Fit<'a, P> {
     /// ```
     ///
     /// # Errors
-    /// As [`spline_within`](Self::spline_within). Parameters that were given are not used.
+    /// As [`spline_within`](Self::spline_within), and [`FitError::Corner`] if `corner` is negative or NaN; from π on there are
+    /// no corners. Parameters that were given are not used.
     pub fn path_within(&self, tolerance: P::Scalar, corner: P::Scalar) -> Result<Fitted<Path<P>>, FitError> {
         check_tolerance(tolerance)?;
+        if corner.is_nan() || corner < P::Scalar::ZERO {
+            return Err(FitError::Corner { value: corner.to_f64() });
+        }
         let data = Data::new(self.points, 1, self.weights)?;
         self.ends_of(&data)?;
         let mut segments: Vec<PathSegment<P>> = Vec::new();

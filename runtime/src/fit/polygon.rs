@@ -20,7 +20,7 @@ pub(super) fn spaced(data: &Data, spacing: Spacing) -> Result<Vec<f64>, FitError
         sums.push(sum);
     }
     if sum <= 0.0 {
-        return Err(FitError::NotIncreasing { index: 1 });
+        return Err(FitError::Coincide { index: 1 });
     }
     Ok(sums.into_iter().map(|partial| partial / sum).collect())
 }

@@ -264,7 +264,8 @@ pub trait ParametricCurve {
     /// The arc length `∫ |C'(t)| dt` over the domain; the error is at most `accuracy`.
     ///
     /// The bound of the error is proved, up to rounding: an `accuracy` below about `ε` times the length, also zero or
-    /// NaN, asks for what the scalar type can give. Infinite or NaN control points have the length NaN.
+    /// NaN, asks for what the scalar type can give. Infinite or NaN control points have the length NaN; a length that is no
+    /// number of the scalar type is infinite.
     fn arclen(&self, accuracy: CurveScalar<Self>) -> CurveScalar<Self> {
         CurveScalar::<Self>::of(length::length(&self.pieces(), floor(accuracy)))
     }

@@ -107,7 +107,7 @@ fn what_does_not_close_is_an_error() {
     let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]];
     assert!(matches!(
         BSplineCurve::interpolate_closed(3, &corners, Spacing::Chord),
-        Err(FitError::NotIncreasing { index: 3 }) // the last and the first point
+        Err(FitError::Coincide { index: 3 }) // the last and the first point
     ));
     assert!(BSplineCurve::interpolate_closed(3, &corners[..2], Spacing::Uniform).is_err());
     // Of degree 0 it jumps from one point to the next.

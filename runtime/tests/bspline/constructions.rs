@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, ConstructionError, FitError, KnotVector, NurbsCurve, NurbsSurface, Spacing,
 };
-use basis_runtime::{ParametricCurve, Surface};
+use basis_runtime::{CurveError, ParametricCurve, Surface};
 use proptest::prelude::*;
 
 use super::support::{P3, curve_of, distance, point};
@@ -179,4 +179,46 @@ fn affine_maps_of_rational_surfaces() {
     for (u, v) in places() {
         assert!(distance(whole.map(map).eval(u, v), map(whole.eval(u, v))) < 1e-13);
     }
+}
+
+/// What is not finite makes no surface, whichever construction is asked.
+#[test]
+fn control_points_that_are_not_finite() {
+    let line = |a: P3, b: P3| BSplineCurve::from_bezier([a, b]).unwrap();
+    let good = line([0.0; 3], [1.0, 0.0, 0.0]);
+    let far = line([0.0, f64::MAX, 0.0], [1.0, f64::MAX, 0.0]);
+    let path = line([0.0; 3], [0.0, 0.0, 1.0]);
+    for value in [f64::NAN, f64::INFINITY] {
+        let bad = line([0.0, value, 0.0], [1.0, 0.0, 0.0]);
+        let rational = |curve: &BSplineCurve<P3>| {
+            NurbsCurve::new(curve.knots().clone(), curve.control_points(), [1.0, 1.0]).unwrap()
+        };
+        let (good_arc, bad_arc) = (rational(&good), rational(&bad));
+        let polynomial = [
+            BSplineSurface::extruded(&good, [value, 0.0, 0.0]),
+            BSplineSurface::extruded(&bad, [0.0, 1.0, 0.0]),
+            BSplineSurface::extruded(&far, [0.0, f64::MAX, 0.0]),
+            BSplineSurface::ruled(&good, &bad),
+            BSplineSurface::translated(&good, &bad),
+            BSplineSurface::translated(&bad, &path),
+            BSplineSurface::lofted(&[good.clone(), bad.clone()], 1, Spacing::Uniform),
+            BSplineSurface::swept(&bad, &path, 3, None),
+            BSplineSurface::coons([&good, &bad], [&path, &path], f64::INFINITY),
+        ];
+        let rational = [
+            NurbsSurface::extruded(&good_arc, [value, 0.0, 0.0]),
+            NurbsSurface::ruled(&good_arc, &bad_arc),
+            NurbsSurface::translated(&good_arc, &bad_arc),
+            NurbsSurface::lofted(&[good_arc.clone(), bad_arc.clone()], 1, Spacing::Uniform),
+            NurbsSurface::swept(&bad_arc, &path, 3, None),
+        ];
+        for (i, found) in polynomial.into_iter().enumerate() {
+            assert!(found.is_err(), "{value} {i}");
+        }
+        for (i, found) in rational.into_iter().enumerate() {
+            assert!(found.is_err(), "{value} {i}");
+        }
+    }
+    let error = BSplineSurface::extruded(&good, [f64::NAN, 0.0, 0.0]).unwrap_err();
+    assert_eq!(error, ConstructionError::Curve(CurveError::NotFinite));
 }

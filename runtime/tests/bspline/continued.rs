@@ -258,3 +258,47 @@ fn refused() {
     assert_eq!(steep.continued(pair, scaled(1, 0.01), &rational), Err(JoinError::Weights));
     assert!(JoinError::Weights.to_string().contains("larger factor"));
 }
+
+/// With opposite edges a knot has different sides on both surfaces: limits from the same side of the joint are compared.
+#[test]
+fn creases_across_opposite_edges_are_no_angle() {
+    let knots = |degree| KnotVector::uniform(degree, 2).unwrap();
+    let sheet = |from: f64, ridge: f64| {
+        let height = |i: usize, j: usize| if j == 1 { ridge * (1.0 + 0.25 * i as f64) } else { 0.0 };
+        let net = Net::from_fn(5, 3, |i, j| [from + i as f64, j as f64, height(i, j)]).unwrap();
+        BSplineSurface::new(knots(3), knots(1), net).unwrap()
+    };
+    let (a, c) = (sheet(0.0, 0.4), sheet(5.0, -0.3));
+    let pairs = [
+        EdgePair::against(Edge::UEnd, Edge::UStart),
+        EdgePair::along(Edge::UEnd, Edge::UStart),
+        EdgePair::against(Edge::UEnd, Edge::UEnd),
+    ];
+    for pair in pairs {
+        let next = a.continued(pair, Contact::Tangent { f: 1.0 }, &c).unwrap();
+        let (joint, bounds) = (a.joint(pair, &next, 65), a.joint_bounds(pair, &next).unwrap());
+        assert!(joint.angle <= bounds.angle && joint.gap <= bounds.gap + 1e-14, "{joint:?} {bounds:?}");
+        // Where only one of them has a crease it is an angle on one side.
+        let bent = a.joint(pair, &sheet(5.0, 0.4), 65);
+        assert!(bent.angle > 0.01, "{bent:?}");
+    }
+}
+
+/// A jump along both edges is no gap, whichever of its sides a surface takes at the knot.
+#[test]
+fn jumps_along_opposite_edges_are_no_gap() {
+    let along = KnotVector::new(1, [0.0, 0.0, 0.5, 0.5, 1.0, 1.0]).unwrap();
+    let net = |from: f64, turned: bool| {
+        Net::from_fn(2, 4, |i, j| {
+            let j = if turned { 3 - j } else { j };
+            [from + i as f64, j as f64, if j > 1 { 0.75 } else { 0.0 }]
+        })
+    };
+    let sheet = |from, turned| {
+        let across = KnotVector::uniform(1, 1).unwrap();
+        BSplineSurface::new(across, along.clone(), net(from, turned).unwrap()).unwrap()
+    };
+    let pair = EdgePair::against(Edge::UEnd, Edge::UStart);
+    let joint = sheet(0.0, false).joint(pair, &sheet(1.0, true), 65);
+    assert!(joint.gap < 1e-14 && joint.angle < 1e-14, "{joint:?}");
+}

@@ -28,7 +28,7 @@ fn the_same_curves_as_scipy() {
 fn each_mistake_has_its_error() {
     let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [2.0, 0.0]];
     let through = |degree, spacing| BSplineCurve::interpolate(degree, &points, spacing);
-    assert_eq!(through(3, Spacing::Chord), Err(FitError::NotIncreasing { index: 2 }));
+    assert_eq!(through(3, Spacing::Chord), Err(FitError::Coincide { index: 2 }));
     assert!(through(3, Spacing::Uniform).is_ok());
     assert_eq!(through(4, Spacing::Uniform), Err(FitError::TooFew { needed: 5, found: 4 }));
     assert_eq!(through(usize::MAX, Spacing::Uniform), Err(FitError::TooFew { needed: usize::MAX, found: 4 }));

@@ -1,6 +1,7 @@
 //! What is said of a joint holds for all of its parameters: bounds that no dense sampling exceeds, and that are
 //! attained but for one percent.
 
+use basis_runtime::Surface;
 use basis_runtime::bspline::{
     BSplineSurface, Direction, Edge, EdgePair, KnotVector, Method, Net, Orientation, SpliceOptions,
 };
@@ -95,4 +96,19 @@ proptest! {
             prop_assert!(measure.angle <= 1.01 * angle + 1e-12, "{:?} {}", measure, angle);
         }
     }
+}
+
+/// Surfaces in one plane whose edges cross have equal normals, but do not continue each other.
+#[test]
+fn the_angle_of_normals_is_not_that_of_conormals() {
+    let knots = KnotVector::uniform(1, 1).unwrap();
+    let sheet = |from: f64, slope: f64| {
+        let net = Net::from_fn(2, 2, |i, j| [from + i as f64 + slope * j as f64, j as f64, 0.0]).unwrap();
+        BSplineSurface::new(knots.clone(), knots.clone(), net).unwrap()
+    };
+    let (a, b) = (sheet(0.0, 0.0), sheet(1.0, 0.5));
+    let pair = EdgePair::along(Edge::UEnd, Edge::UStart);
+    let (joint, bounds) = (a.joint(pair, &b, 9), a.joint_bounds(pair, &b).unwrap());
+    assert!((joint.angle - 0.5_f64.atan()).abs() < 1e-15 && bounds.angle < 1e-12, "{joint:?} {bounds:?}");
+    assert!((joint.gap - 0.5).abs() < 1e-15 && (bounds.gap - 0.5).abs() < 1e-12, "{joint:?} {bounds:?}");
 }

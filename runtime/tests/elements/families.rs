@@ -4,7 +4,8 @@ use basis_runtime::{Array, Basis, BoxBasis, Point, Quadrature, Scalar, SimplexBa
 
 use crate::random::Random;
 
-basis!(library "lagrange", Lagrange(5), TriangularLagrange(1) as P1, TriangularLagrange(4) as P4,
+basis!(library "lagrange", Lagrange(5), TriangularLagrange(1) as P1, TriangularLagrange(3) as P3,
+    TriangularLagrange(4) as P4,
     TetrahedralLagrange(2) as Solid, Serendipity);
 basis!(library "elements", CrouzeixRaviart, HermiteTriangle);
 
@@ -183,6 +184,38 @@ fn nodes() {
     assert_eq!(HermiteTriangle::<f64>::new().nodes(), None);
     assert_eq!(Mixed::<f64>::new().nodes(), None);
     assert_eq!(basis_runtime::BernsteinBasis::<f64, 4>::default().nodes(), None);
+}
+
+/// Barycentric coordinates near 0 and 1 are these numbers, and the sum of all is 1.
+fn on_the_cell<B: SimplexBasis>(basis: B) {
+    let near = |c: B::Scalar, end: f64| (c.to_f64() - end).abs() < 1e-3;
+    for node in basis.nodes().unwrap().as_ref() {
+        let coordinates = node.as_ref();
+        for &c in coordinates {
+            assert!(!near(c, 0.0) || c == B::Scalar::ZERO, "{}: {c}", B::NAME);
+            assert!(!near(c, 1.0) || c == B::Scalar::ONE, "{}: {c}", B::NAME);
+        }
+        let sum = coordinates.iter().fold(B::Scalar::ZERO, |sum, &c| sum + c);
+        assert!((sum - B::Scalar::ONE).abs() <= B::Scalar::EPSILON, "{}: {sum}", B::NAME);
+    }
+}
+
+#[test]
+fn nodes_on_the_boundary_lie_on_it() {
+    on_the_cell(P1::<f64>::new());
+    on_the_cell(P3::<f64>::new());
+    on_the_cell(P4::<f64>::new());
+    on_the_cell(Solid::<f64>::new());
+    on_the_cell(CrouzeixRaviart::<f64>::new());
+    on_the_cell(P3::<f32>::new());
+    on_the_cell(P4::<f32>::new());
+    for node in Serendipity::<f64>::new().nodes().unwrap() {
+        assert!(node.iter().any(|c| c.abs() == 1.0) && node.iter().all(|c| c.abs() <= 1.0), "{node:?}");
+    }
+    let uneven = Uneven::<f64>::new().nodes().unwrap();
+    assert_eq!((uneven[0], uneven[3]), (-1.0, 3.0));
+    let equal = Lagrange::<f64>::new().nodes().unwrap();
+    assert_eq!((equal[0], equal[5]), (0.0, 1.0));
 }
 
 /// Whether a function vanishes on a side is asked of its values there, and compared with what it belongs to.

@@ -123,3 +123,17 @@ fn what_is_not_finite_is_refused() {
     assert_eq!(bad.continued(contact, &spline), Err(CurveError::NotFinite));
     assert_eq!(bad.preceded(contact, &rational), Err(CurveError::NotFinite));
 }
+
+/// A curve that is a point has no tangent that another one could have in common with it: the equations alone hold.
+#[test]
+fn to_a_curve_that_is_a_point() {
+    let point = Bezier::from_points([[1.0_f64, 2.0]; 3]);
+    let draft = Bezier::from_points([[0.0; 2], [0.0; 2], [4.0, 6.0], [5.0, 6.0]]);
+    let next = ParametricCurve::continued(&point, Contact::Tangent { f: 2.0 }, &draft).unwrap();
+    assert_eq!(next.control_points(), &[[1.0, 2.0], [1.0, 2.0], [4.0, 6.0], [5.0, 6.0]]);
+    let [x, y] = next.tangent(0.0).unwrap();
+    assert!((x - 0.6).abs() < 1e-15 && (y - 0.8).abs() < 1e-15, "{x} {y}");
+    let joint = ParametricCurve::joint(&point, &next);
+    assert!(joint.gap == 0.0 && joint.derivatives[0] == 0.0 && joint.angle.is_nan(), "{joint:?}");
+    assert_eq!(joint.geometric_order(1e-9, 1e-9, 1e-9), Some(0));
+}

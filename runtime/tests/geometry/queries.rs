@@ -458,3 +458,54 @@ fn nearest_points_of_high_degree() {
         }
     }
 }
+
+/// Curvatures and torsions of a curve of any size are those of the same curve of size 1, in the unit of its size.
+#[test]
+fn curvatures_of_curves_of_any_size() {
+    let shape = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.5], [2.0, 1.5, 0.0], [1.0, 3.0, 1.0]];
+    let of = |size: f64| Bezier::from_points(shape.map(|p| p.map(|x| size * x)));
+    let (unit, flat) = (of(1.0), of(1.0).map(|[x, y, _]| [x, y]));
+    for size in [2.0_f64.powi(996), 2.0_f64.powi(-996)] {
+        let curve = of(size);
+        let in_plane = curve.map(|[x, y, _]| [x, y]);
+        for t in [0.0, 0.3, 1.0] {
+            let close = |a: f64, b: f64| (a * size / b - 1.0).abs() < 1e-13;
+            assert!(close(curve.curvature(t), unit.curvature(t)), "{}", curve.curvature(t));
+            assert!(close(ParametricCurve::curvature(&curve, t), unit.curvature(t)));
+            assert!(close(in_plane.curvature(t), flat.curvature(t)));
+            assert!(close(curve.torsion(t), unit.torsion(t)), "{}", curve.torsion(t));
+        }
+        let joint = curve.joint(&of(size));
+        assert!((joint.curvature * size / unit.joint(&unit).curvature - 1.0).abs() < 1e-13, "{joint:?}");
+    }
+}
+
+/// Lengths and areas of finite points are numbers, or infinite where they are too large for one.
+#[test]
+fn lengths_and_areas_at_the_end_of_the_range() {
+    let line = |x: f32| Bezier::from_points([[-x, 0.0], [x, 0.0]]);
+    assert_eq!(line(3e38).arclen(1e30), f32::INFINITY);
+    assert_eq!(ParametricCurve::arclen(&line(3e38), 1e30), f32::INFINITY);
+    assert_eq!(line(1.5e38).arclen(1e30), 3e38);
+    let double = Bezier::from_points([[-1.5e308, 0.0], [1.5e308_f64, 0.0]]);
+    assert_eq!([double.arclen(1e300), ParametricCurve::arclen(&double, 1e300)], [f64::INFINITY; 2]);
+    assert_eq!(Plain(double).arclen(1e300), f64::INFINITY);
+    // Differences that are too large, of a length that is not: the parameters at equal distances are those of any size.
+    assert_eq!(line(3e38).arclen_parameters(3, 1e30), [0.0, 0.5, 1.0]);
+    let zigzag = |x: f32| Bezier::from_points([[-x, -x], [x, -x], [-x, x], [x, x]]);
+    let ratio = zigzag(3e38).inv_arclen(3e38, 1e30) / zigzag(1.0).inv_arclen(1.0, 1e-8);
+    assert!((ratio - 1.0).abs() < 1e-5, "{ratio}");
+    assert!(Bezier::from_points([[0.0, 0.0], [f32::NAN, 0.0]]).arclen(1.0).is_nan());
+    let square = |x: f64| Path::rectangle([[-x, -x], [x, 0.5 * x]]);
+    for x in [1e38, 1e60, 1e150, 1e-60, 1e-150] {
+        let enclosed = square(x).enclosed().unwrap();
+        let [cx, cy] = enclosed.centroid.unwrap();
+        assert!(cx.abs() < 1e-15 * x && (cy / x + 0.25).abs() < 1e-15, "{cx} {cy}");
+        assert!((enclosed.area / x / x - 3.0).abs() < 1e-14, "{enclosed:?}");
+        assert!(enclosed.second_moments.iter().all(|m| !m.is_nan()), "{enclosed:?}");
+    }
+    let large = Path::<[f32; 2]>::rectangle([[-1e38, -1e38], [1e38, 1e38]]);
+    assert_eq!(large.enclosed().unwrap().area, f32::INFINITY);
+    assert_eq!(large.reversed().enclosed().unwrap().area, f32::NEG_INFINITY);
+    assert_eq!(large.enclosed().unwrap().centroid, Some([0.0, 0.0]));
+}

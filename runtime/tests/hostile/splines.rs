@@ -2,14 +2,23 @@
 //! the type.
 
 use basis_runtime::bspline::{
-    BSplineCurve, BSplineSurface, Direction, Edge, EdgeKnots, EdgePair, FollowOptions, Homogeneous,
-    KnotVector, Method, Net, Network, NurbsCurve, NurbsSurface, PointConstraint, SecondRow, Spacing,
-    SpliceOptions, parameters,
+    BSplineCurve, BSplineSurface, ConstructionError, Direction, Edge, EdgeKnots, EdgePair, FollowOptions,
+    Homogeneous, KnotVector, Method, Net, Network, NurbsCurve, NurbsSurface, PointConstraint, SecondRow,
+    Spacing, SpliceOptions, parameters,
 };
 
-use basis_runtime::{Contact, ParametricCurve, Surface};
+use basis_runtime::{Contact, CurveError, ParametricCurve, Surface};
 
 use crate::{Case, P, check, is_finite, is_length, is_nan, pair};
+
+/// Whether a construction was refused because a control point would not be finite.
+fn not_finite(error: ConstructionError) -> bool {
+    error == ConstructionError::Curve(CurveError::NotFinite)
+}
+
+fn all_finite(surface: &BSplineSurface<P>) -> bool {
+    surface.net().as_slice().iter().all(|&p| is_finite(p))
+}
 
 type C = BSplineCurve<P>;
 type S = BSplineSurface<P>;
@@ -159,11 +168,16 @@ const CURVE: &[Case<C>] = &[
             })
         })
     }),
-    ("BSplineSurface::extruded", |c, a, b| S::extruded(c, [a, b, 1.0]).is_ok_and(|s| s.degrees() == [2, 1])),
-    ("BSplineSurface::ruled", |c, _, _| {
-        S::ruled(c, &c.reversed()).is_ok_and(|s| s.domain().ranges() == [[0.0, 1.0]; 2])
+    ("BSplineSurface::extruded", |c, a, b| {
+        S::extruded(c, [a, b, 1.0]).map_or_else(not_finite, |s| s.degrees() == [2, 1] && all_finite(&s))
     }),
-    ("BSplineSurface::translated", |c, _, _| S::translated(c, c).is_ok_and(|s| s.degrees() == [2, 2])),
+    ("BSplineSurface::ruled", |c, _, _| {
+        S::ruled(c, &c.reversed())
+            .map_or_else(not_finite, |s| s.domain().ranges() == [[0.0, 1.0]; 2] && all_finite(&s))
+    }),
+    ("BSplineSurface::translated", |c, _, _| {
+        S::translated(c, c).map_or_else(not_finite, |s| s.degrees() == [2, 2] && all_finite(&s))
+    }),
     ("BSplineSurface::lofted", |c, a, _| {
         let sections =
             [c.clone(), c.map(|p| [p[0], p[1], p[2] + a]), c.map(|p| [p[1], p[0], p[2] - 2.0 * a])];
@@ -217,7 +231,7 @@ const NURBS_CURVE: &[Case<RationalCurve>] = &[
     }),
     ("NurbsCurve::map", |c, a, b| c.map(|p| [a, b, p[0]]).weights() == c.weights()),
     ("NurbsSurface::extruded", |c, a, b| {
-        NurbsSurface::extruded(c, [a, b, 1.0]).is_ok_and(|s| s.degrees() == [2, 1])
+        NurbsSurface::extruded(c, [a, b, 1.0]).map_or_else(not_finite, |s| s.degrees() == [2, 1])
     }),
     ("NurbsSurface::ruled", |c, _, _| {
         NurbsSurface::ruled(c, &c.reversed()).map_or(true, |s| s.domain().ranges() == [[0.0, 1.0]; 2])

@@ -1,5 +1,6 @@
 //! Paths of fewer segments, and paths along points.
 
+use basis_runtime::bspline::FitError;
 use basis_runtime::{Bezier, CurveError, Fit, ParametricCurve, Path, PathSegment, to_svg};
 
 use crate::closed;
@@ -114,7 +115,14 @@ fn paths_along_points() {
     let fit = Fit::new(&zigzag).path_within(0.01, 0.5).unwrap();
     assert_eq!(fit.curve.segments().len(), 3);
     assert!(Fit::new(&zigzag[..1]).path_within(0.01, 0.5).is_err());
-    assert!(Fit::new(&[[1.0, 1.0]; 5]).path_within(0.01, 0.5).is_err());
+    for corner in [-0.5, f64::NAN, f64::NEG_INFINITY] {
+        let error = Fit::new(&zigzag).path_within(0.01, corner).unwrap_err();
+        assert!(matches!(error, FitError::Corner { .. }), "{error}");
+    }
+    assert!(Fit::new(&zigzag).path_within(0.01, f64::INFINITY).is_ok());
+    let error = Fit::new(&[[1.0, 1.0]; 5]).path_within(0.01, 0.5).unwrap_err();
+    assert_eq!(error, FitError::Coincide { index: 1 });
+    assert!(error.to_string().starts_with("point 1 coincides with the one before it"), "{error}");
 }
 
 /// The pieces of one cubic become that cubic.

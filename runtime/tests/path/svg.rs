@@ -219,3 +219,16 @@ fn numbers_that_are_too_large() {
     let error = Path::<[f64; 2]>::from_svg("M1e308 0l1e308 0").unwrap_err();
     assert_eq!((error.mistake(), error.offset()), (SvgMistake::Size, 9));
 }
+
+/// Whether a curve has a segment that needs the tolerance or not, it is a positive number.
+#[test]
+fn the_tolerance_is_a_positive_number() {
+    let polygon = Path::rectangle([[1.0, 1.0], [2.0, 3.0]]);
+    let quintic =
+        Bezier::from_points([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0], [3.0, 1.0], [4.0, 0.0], [5.0, 2.0]]);
+    for tolerance in [f64::NAN, 0.0, -1.0, f64::INFINITY] {
+        for error in [to_svg(&polygon, tolerance), to_svg(&quintic, tolerance)] {
+            assert!(matches!(error, Err(CurveError::Tolerance { .. })), "{error:?}");
+        }
+    }
+}

@@ -16,7 +16,7 @@ pub enum ConstructionError {
     Spline(SplineError),
     /// The interpolation of sections.
     Fit(FitError),
-    /// The path of a sweep.
+    /// The path of a sweep; [`CurveError::NotFinite`] if a control point of the surface would not be finite.
     Curve(CurveError),
     /// Two boundary curves do not meet in a corner.
     Corner {

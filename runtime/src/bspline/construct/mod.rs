@@ -9,8 +9,8 @@ pub use error::ConstructionError;
 
 use super::fit::{averaged, parameters_of_rows};
 use super::{BSplineCurve, BSplineSurface, Direction, KnotVector, Net, Spacing};
-use crate::vector::{distance, recast};
-use crate::{Frame, ParametricCurve, Point, Point3, Scalar};
+use crate::vector::{distance, is_finite, recast};
+use crate::{CurveError, Frame, ParametricCurve, Point, Point3, Scalar};
 
 /// More sections of a sweep are refused.
 const MOST_SECTIONS: usize = 1 << 16;
@@ -28,37 +28,38 @@ impl<P: Point> BSplineSurface<P> {
     /// ```
     ///
     /// # Errors
-    /// None is expected but for memory.
+    /// [`ConstructionError::Curve`] if a control point of the surface is not finite.
     pub fn extruded(curve: &BSplineCurve<P>, along: P::Vector) -> Result<Self, ConstructionError> {
         let along = recast(along);
         let rows = curve.control_points().iter().map(|&p| [p, p.add_weighted(along, P::Scalar::ONE)]);
-        Ok(Self::new(curve.knots().clone(), KnotVector::uniform(1, 1)?, Net::from_rows(rows)?)?)
+        finite(Self::new(curve.knots().clone(), KnotVector::uniform(1, 1)?, Net::from_rows(rows)?)?)
     }
 
     /// The surface `S(u, v) = (1 - v) A(u) + v B(u)`, `0 <= v <= 1`: the straight lines between points of two curves with
     /// the same parameter. The domain is that of the first curve; that of the second one is mapped to it.
     ///
     /// # Errors
-    /// [`ConstructionError::Knots`] if the common knots are too many or lie too near to each other.
+    /// [`ConstructionError::Knots`] if the common knots are too many or lie too near to each other,
+    /// [`ConstructionError::Curve`] if a control point of the surface is not finite.
     pub fn ruled(first: &BSplineCurve<P>, second: &BSplineCurve<P>) -> Result<Self, ConstructionError> {
         let both = compatible(&[first, second])?;
         let [a, b] = [0, 1].map(|i| &both[i]);
         let rows = a.control_points().iter().zip(b.control_points()).map(|(&a, &b)| [a, b]);
-        Ok(Self::new(a.knots().clone(), KnotVector::uniform(1, 1)?, Net::from_rows(rows)?)?)
+        finite(Self::new(a.knots().clone(), KnotVector::uniform(1, 1)?, Net::from_rows(rows)?)?)
     }
 
     /// The surface `S(u, v) = C(u) + T(v) - T(lo)` that a curve sweeps when it is moved along another one without
     /// turning, exactly.
     ///
     /// # Errors
-    /// None is expected but for memory.
+    /// [`ConstructionError::Curve`] if a control point of the surface is not finite.
     pub fn translated(curve: &BSplineCurve<P>, path: &BSplineCurve<P>) -> Result<Self, ConstructionError> {
         let start = path.start();
         let rows = curve.control_points().iter().map(|&p| {
             let moved = |&t: &P| p.add_scaled(t.minus(start), P::Scalar::ONE);
             path.control_points().iter().map(moved).collect::<Vec<_>>()
         });
-        Ok(Self::new(curve.knots().clone(), path.knots().clone(), Net::from_rows(rows)?)?)
+        finite(Self::new(curve.knots().clone(), path.knots().clone(), Net::from_rows(rows)?)?)
     }
 
     /// The surface of that degree in `v` through all sections, one after the other: `S(u, v[k]) = C_k(u)` at parameters
@@ -69,7 +70,7 @@ impl<P: Point> BSplineSurface<P> {
     ///
     /// # Errors
     /// [`ConstructionError::Fit`] if there are not more sections than the degree (and two), or neighbours coincide;
-    /// [`ConstructionError::Knots`] as for [`ruled`](Self::ruled).
+    /// the others as for [`ruled`](Self::ruled).
     pub fn lofted(
         sections: &[BSplineCurve<P>],
         degree: usize,
@@ -94,7 +95,7 @@ impl<P: Point> BSplineSurface<P> {
                 Ok(row.control_points().to_vec())
             })
             .collect::<Result<_, ConstructionError>>()?;
-        Ok(Self::new(first.knots().clone(), v, Net::from_rows(rows)?)?)
+        finite(Self::new(first.knots().clone(), v, Net::from_rows(rows)?)?)
     }
 
     /// The surface of Coons with these four boundary curves, `along_u` at the lower and the upper end of `v` and `along_v`
@@ -110,7 +111,7 @@ impl<P: Point> BSplineSurface<P> {
     ///
     /// # Errors
     /// [`ConstructionError::Corner`] if two curves that should meet in a corner are farther from each other there than
-    /// `tolerance`, or that is NaN; [`ConstructionError::Knots`] as for [`ruled`](Self::ruled).
+    /// `tolerance`, or that is NaN; the others as for [`ruled`](Self::ruled).
     pub fn coons(
         along_u: [&BSplineCurve<P>; 2],
         along_v: [&BSplineCurve<P>; 2],
@@ -151,7 +152,7 @@ impl<P: Point> BSplineSurface<P> {
             points.map(|((&a, &b), &c)| a.add_weighted(b, P::Scalar::ONE).add_weighted(c, -P::Scalar::ONE));
         let net = Net::trusted(points.collect(), first.net().columns());
         let [u, v] = [Direction::U, Direction::V].map(|direction| first.knots(direction).clone());
-        Ok(Self::new(u, v, net)?)
+        finite(Self::new(u, v, net)?)
     }
 }
 
@@ -166,8 +167,8 @@ impl<P: Point3> BSplineSurface<P> {
     /// with the fourth power of their number.
     ///
     /// # Errors
-    /// [`ConstructionError::Curve`] if the path is a point or there are more than 2¹⁶ frames, [`ConstructionError::Fit`]
-    /// for fewer than two frames, or if neighbouring sections coincide.
+    /// [`ConstructionError::Curve`] if the path is a point, there are more than 2¹⁶ frames, or a control point of the surface
+    /// is not finite, [`ConstructionError::Fit`] for fewer than two frames, or if neighbouring sections coincide.
     pub fn swept(
         profile: &BSplineCurve<P>,
         path: &(impl ParametricCurve<Point = P> + ?Sized),
@@ -176,6 +177,12 @@ impl<P: Point3> BSplineSurface<P> {
     ) -> Result<Self, ConstructionError> {
         sweep(path, count, normal, |frame| profile.map(|p| placed(frame, p)), Self::lofted)
     }
+}
+
+/// The surface, if all of its control points are finite.
+fn finite<P: Point>(surface: BSplineSurface<P>) -> Result<BSplineSurface<P>, ConstructionError> {
+    let all = surface.net().as_slice().iter().all(|&point| is_finite(point));
+    if all { Ok(surface) } else { Err(CurveError::NotFinite.into()) }
 }
 
 /// The surface that `loft` puts through the sections in the frames of a path.
@@ -187,7 +194,7 @@ fn sweep<P: Point3, C, T>(
     loft: impl FnOnce(&[C], usize, Spacing) -> Result<T, ConstructionError>,
 ) -> Result<T, ConstructionError> {
     if count > MOST_SECTIONS {
-        return Err(crate::CurveError::TooManyPoints { needed: count as f64 }.into());
+        return Err(CurveError::TooManyPoints { needed: count as f64 }.into());
     }
     let frames = path.rotation_minimizing_frames(count, normal)?;
     let sections: Vec<C> = frames.iter().map(section).collect();

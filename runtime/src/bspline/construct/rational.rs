@@ -7,7 +7,7 @@ use super::super::{
     BSplineCurve, BSplineSurface, Homogeneous, KnotVector, Net, NurbsCurve, NurbsSurface, Spacing,
     SplineError,
 };
-use super::{ConstructionError, compatible, grid, placed, sweep};
+use super::{ConstructionError, compatible, finite, grid, placed, sweep};
 use crate::vector::recast;
 use crate::{ParametricCurve, Point, Point3, Scalar};
 
@@ -28,7 +28,7 @@ impl<P: Point> NurbsSurface<P> {
         });
         let line = KnotVector::uniform(1, 1)?;
         let surface = BSplineSurface::new(curve.knots().clone(), line, Net::from_rows(rows)?)?;
-        Ok(Self::from_homogeneous(surface)?)
+        Ok(Self::from_homogeneous(finite(surface)?)?)
     }
 
     /// The surface of the straight lines between points of two curves with the same parameter, as
@@ -45,7 +45,8 @@ impl<P: Point> NurbsSurface<P> {
     /// exactly: its weights are the products of theirs.
     ///
     /// # Errors
-    /// [`ConstructionError::Spline`] if a product of weights is not a positive number.
+    /// [`ConstructionError::Spline`] if a product of weights is zero,
+    /// [`ConstructionError::Curve`] if one, or a control point of the surface, is not finite.
     pub fn translated(curve: &NurbsCurve<P>, path: &NurbsCurve<P>) -> Result<Self, ConstructionError> {
         let start = path.start();
         let rows = curve.homogeneous().control_points().iter().map(|p| {
@@ -58,7 +59,7 @@ impl<P: Point> NurbsSurface<P> {
         });
         let net = Net::from_rows(rows)?;
         let surface = BSplineSurface::new(curve.knots().clone(), path.knots().clone(), net)?;
-        Ok(Self::from_homogeneous(surface)?)
+        Ok(Self::from_homogeneous(finite(surface)?)?)
     }
 
     /// The surface of that degree in `v` through all sections, as [`BSplineSurface::lofted`]: the weights are interpolated

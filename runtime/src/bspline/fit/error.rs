@@ -38,10 +38,15 @@ pub enum FitError {
         /// Its index; that of a point of a grid counts row by row.
         index: usize,
     },
-    /// A parameter is not larger than the one before it; with parameters from distances, two neighbouring points
-    /// coincide.
+    /// A parameter is not larger than the one before it.
     NotIncreasing {
         /// The index of the parameter.
+        index: usize,
+    },
+    /// A point coincides with the one before it, so that parameters do not follow from their distance.
+    Coincide {
+        /// The index of the point; of a grid, in its row or column. Of a closed curve the number of points stands for the
+        /// first one, after the last.
         index: usize,
     },
     /// A basis function that the parameters do not determine: too few of them are in its support (the condition of
@@ -95,6 +100,11 @@ pub enum FitError {
         /// The tolerance.
         value: f64,
     },
+    /// The angle from which on a polygon has a corner is negative or NaN.
+    Corner {
+        /// The angle.
+        value: f64,
+    },
     /// No curve that was tried is within the tolerance.
     NotReached {
         /// The tolerance.
@@ -119,9 +129,13 @@ impl Display for FitError {
             Self::NotFinite { index } => {
                 write!(f, "point {index}, its parameter or its weight is not a finite number")
             }
-            Self::NotIncreasing { index } => write!(
+            Self::NotIncreasing { index } => {
+                write!(f, "parameter {index} is not larger than the one before it")
+            }
+            Self::Coincide { index } => write!(
                 f,
-                "parameter {index} is not larger than the one before it (do two neighbouring points coincide?)"
+                "point {index} coincides with the one before it, so that their distance gives no parameter: leave points \
+                 out that repeat, or give parameters"
             ),
             Self::Undetermined { function } => write!(
                 f,
@@ -152,6 +166,9 @@ impl Display for FitError {
             }
             Self::Shapes => f.write_str("nowhere in the ranges of the shape values is there a family"),
             Self::Tolerance { value } => write!(f, "the tolerance {value} is not a positive, finite number"),
+            Self::Corner { value } => {
+                write!(f, "the angle of a corner is {value}; it is a number of radians, at least 0")
+            }
             Self::NotReached { tolerance, reached } => write!(
                 f,
                 "the points are up to {reached} from the curve, more than the tolerance {tolerance}; use a larger one, \

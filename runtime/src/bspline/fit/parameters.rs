@@ -57,7 +57,7 @@ pub fn parameters<P: Point>(points: &[P], spacing: Spacing) -> Result<Vec<P::Sca
             return Err(FitError::NotFinite { index: index + 1 });
         }
         if next <= sum {
-            return Err(FitError::NotIncreasing { index: index + 1 });
+            return Err(FitError::Coincide { index: index + 1 });
         }
         sum = next;
         sums.push(sum);
@@ -82,7 +82,7 @@ pub(crate) fn common_parameters<P: Point>(
                     *sum = *sum + parameter;
                 }
             }
-            Err(error @ FitError::NotIncreasing { .. }) => refused = error,
+            Err(error @ FitError::Coincide { .. }) => refused = error,
             Err(error) => return Err(error),
         }
     }

@@ -10,8 +10,13 @@ use crate::curve::leading_order;
 use crate::vector::{cross, length};
 use crate::{Point3, Scalar};
 
-/// How two B-spline surfaces meet along an edge, by [`BSplineSurface::joint_bounds`]: upper bounds of the figures of an
-/// [`EdgeJoint`](crate::EdgeJoint), which are proved for all parameters of the edge and not just for samples.
+/// How two B-spline surfaces meet along an edge, by [`BSplineSurface::joint_bounds`]: upper bounds that are proved for all
+/// parameters of the edge and not just for samples.
+///
+/// The gap bounds that of an [`EdgeJoint`](crate::EdgeJoint). The angle is the one between the normals, while an `EdgeJoint`
+/// has the one between the directions in which the surfaces go on. Both are the same where the edges have the same tangent.
+/// Where they do not, as in the presence of a gap, either may be larger: surfaces in one plane have equal normals, but do
+/// not continue each other across edges that cross at an angle.
 ///
 /// They follow from the Bernstein coefficients of the difference of the edges and of the products of the normals, and
 /// are at most one percent above the largest value but for rounding errors: about a hundred of them are added, so an
@@ -28,8 +33,9 @@ pub struct JointBounds {
     pub gap: f64,
     /// Where that distance occurs, up to one percent: the parameter of the first surface along its edge.
     pub gap_at: f64,
-    /// Nowhere is the angle larger by which the surfaces do not continue each other, in radians: 0 where the joint is
-    /// smooth, π where one folds back on the other. A splice of [`Continuity::G0`](super::Continuity::G0) leaves out
+    /// Nowhere is the angle between the normals larger, in radians, each normal being the product of the direction across
+    /// the edge, out of the first surface and into the second, and the direction along the edge: 0 where the joint is
+    /// smooth, π where one surface folds back on the other. A splice of [`Continuity::G0`](super::Continuity::G0) leaves out
     /// the pieces without tangent planes.
     pub angle: f64,
     /// Where that angle occurs, up to one percent: the parameter of the first surface along its edge.

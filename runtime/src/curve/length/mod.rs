@@ -28,7 +28,7 @@ pub(crate) use self::quadrature::Rule;
 pub(crate) use self::series::ELLIPSES;
 use self::series::Rules;
 use crate::domain::from_unit;
-use crate::vector::{difference, distance, is_finite, safe_unit};
+use crate::vector::{difference, distance, is_finite, largest_component, safe_unit};
 use crate::{Array, Basis, Curve, Point, Scalar, bernstein};
 
 /// Below this depth a piece is narrower than the distance of two floats.
@@ -38,7 +38,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The arc length `∫ |C'(t)| dt` over the domain; the error is at most `accuracy`.
     ///
     /// The bound of the error is proved, up to rounding: an `accuracy` below about `ε` times the length, also zero or
-    /// NaN, asks for what the scalar type can give. Infinite or NaN control points have the length NaN.
+    /// NaN, asks for what the scalar type can give. Infinite or NaN control points have the length NaN; a length that is no
+    /// number of the scalar type is infinite.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -48,7 +49,10 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// assert!((parabola.arclen(1e-12) - 1.478942857544597_f64).abs() < 1e-12);
     /// ```
     pub fn arclen(&self, accuracy: B::Scalar) -> B::Scalar {
-        self.length(accuracy, Rules::First)
+        match self.prepare(accuracy, Rules::First) {
+            Some(whole) => whole.unit * whole.length(),
+            None => B::Scalar::NAN,
+        }
     }
 
     /// The parameter `t` for which the curve from its start to `C(t)` has that length; the length up to there differs
@@ -94,7 +98,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let Some(whole) = self.prepare(accuracy, Rules::Smallest) else {
             return alloc::vec![B::Scalar::NAN; count];
         };
-        let total = self.length(accuracy, Rules::Smallest) / whole.unit;
+        let total = whole.length();
         let step = total / B::Scalar::from_usize(count.saturating_sub(1).max(1));
         let mut parameters = alloc::vec::Vec::with_capacity(count);
         let mut before = B::Scalar::ZERO;
@@ -136,34 +140,20 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         self.arclen_parameters(count, accuracy).into_iter().map(|t| self.eval(t)).collect()
     }
 
-    /// [`arclen`](Self::arclen) with rules of that kind.
-    fn length(&self, accuracy: B::Scalar, rules: Rules) -> B::Scalar {
-        let Some(whole) = self.prepare(accuracy, rules) else { return B::Scalar::NAN };
-        let unit = whole.unit;
-        if P::DIM <= 2 && B::DEGREE <= plane::HIGHEST_DEGREE && rules == Rules::First {
-            let Piece { points, accuracy, noise, .. } = &whole.piece;
-            return plane::length(points.as_ref(), *accuracy, *noise) * unit;
-        }
-        // Most curves are one smooth piece.
-        if B::DEGREE <= MOST_POWERS && rules == Rules::First {
-            let square = SquaredSpeed::<B>::of(whole.piece.points);
-            if let Some(length) = square.length_by_single(whole.piece.accuracy) {
-                return length * unit;
-            }
-        }
-        let mut sum = B::Scalar::ZERO;
-        whole.piece.walk(&mut |leaf| {
-            sum = sum + leaf.length;
-            true
-        });
-        sum * unit
-    }
-
     /// The whole curve, ready to be walked along; `None` if it is not finite.
     fn prepare(&self, accuracy: B::Scalar, rules: Rules) -> Option<Whole<B, P>> {
         let mut points = self.to_bernstein();
         // Of the size of the control polygon, and no square root.
-        let polygon = steps(points.as_ref());
+        let mut polygon = steps(points.as_ref());
+        let mut size = B::Scalar::ONE;
+        if !polygon.is_finite() {
+            // The differences of finite points may be too large.
+            size = points.as_ref().iter().fold(size, |size, &p| size.max(largest_component(p)));
+            for p in points.as_mut() {
+                *p = P::from_components(|d| p.component(d) / size);
+            }
+            polygon = steps(points.as_ref());
+        }
         // With finite differences all points are finite if the first one is.
         if !polygon.is_finite() || !is_finite(points.as_ref()[0]) {
             return None;
@@ -178,11 +168,11 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
                 *p = P::from_components(|d| p.component(d) / unit);
             }
         }
-        let accuracy = (accuracy / unit).max(B::Scalar::EPSILON * (polygon / unit));
+        let accuracy = (accuracy / size / unit).max(B::Scalar::EPSILON * (polygon / unit));
         // So long can a piece be of which nothing is left but the rounding errors of its control points.
         let noise = B::Scalar::EPSILON * B::Scalar::from_usize(4 * B::DEGREE) * (polygon / unit);
         let (from, to) = (B::Scalar::ZERO, B::Scalar::ONE);
-        Some(Whole { piece: Piece { points, from, to, accuracy, noise, depth: 0, rules }, unit })
+        Some(Whole { piece: Piece { points, from, to, accuracy, noise, depth: 0, rules }, unit: unit * size })
     }
 }
 
@@ -190,6 +180,29 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 struct Whole<B: Basis, P: Point<Scalar = B::Scalar>> {
     piece: Piece<B, P>,
     unit: B::Scalar,
+}
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> Whole<B, P> {
+    /// The length in the unit.
+    fn length(&self) -> B::Scalar {
+        let Piece { points, accuracy, noise, rules, .. } = self.piece;
+        if P::DIM <= 2 && B::DEGREE <= plane::HIGHEST_DEGREE && rules == Rules::First {
+            return plane::length(points.as_ref(), accuracy, noise);
+        }
+        // Most curves are one smooth piece.
+        if B::DEGREE <= MOST_POWERS && rules == Rules::First {
+            let square = SquaredSpeed::<B>::of(points);
+            if let Some(length) = square.length_by_single(accuracy) {
+                return length;
+            }
+        }
+        let mut sum = B::Scalar::ZERO;
+        self.piece.walk(&mut |leaf| {
+            sum = sum + leaf.length;
+            true
+        });
+        sum
+    }
 }
 
 /// The sum of the absolute values of all components of the differences of control points next to each other.
@@ -208,6 +221,7 @@ fn polygon<P: Point>(points: &[P]) -> P::Scalar {
     points.windows(2).fold(P::Scalar::ZERO, |sum, pair| sum + distance(pair[0], pair[1]))
 }
 
+#[derive(Clone, Copy)]
 struct Piece<B: Basis, P: Point<Scalar = B::Scalar>> {
     points: B::Bernstein<P>,
     from: B::Scalar,

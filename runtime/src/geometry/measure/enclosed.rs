@@ -13,10 +13,11 @@ use crate::geometry::{derivative, product};
 use crate::numeric::gauss::jacobi;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
+use crate::vector::safe_unit;
 use crate::{Point, Scalar};
 
 /// What a closed curve in the plane encloses; parts around which it runs clockwise count negative, and twice where it
-/// goes round twice.
+/// goes round twice. A figure that is too large for the scalar type is infinite, with its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
@@ -92,10 +93,12 @@ fn integrals(pieces: &[CurvePiece], epsilon: f64) -> ([f64; 6], Option<[f64; 2]>
         let [low, high] = bernstein::bounds(&all);
         *origin = f64::midpoint(low, high);
     }
+    // Products of four coordinates are formed.
+    let unit = safe_unit(pieces.iter().map(CurvePiece::largest).fold(0.0, f64::max), 2);
     let mut sums = [0.0; 6];
     let mut length = 0.0;
     for piece in closed(pieces, epsilon) {
-        let seen = piece.seen_from(&origin, 1.0);
+        let seen = piece.seen_from(&origin, unit);
         length += seen.length_bounds()[1];
         let part = if seen.weights().is_some() { rational(&seen) } else { polynomial(&seen) };
         for (sum, part) in sums.iter_mut().zip(part) {
@@ -106,10 +109,10 @@ fn integrals(pieces: &[CurvePiece], epsilon: f64) -> ([f64; 6], Option<[f64; 2]>
         *sum /= factor;
     }
     let [area, x, y, xx, xy, yy] = sums;
-    let [ox, oy] = origin;
+    let [ox, oy] = origin.map(|c| c / unit);
     let vanishes = area.is_nan() || area.abs() <= 16.0 * f64::EPSILON * length * length;
-    let centroid = (!vanishes).then(|| [ox + x / area, oy + y / area]);
-    let moved = [
+    let centroid = (!vanishes).then(|| [ox + x / area, oy + y / area].map(|c| c * unit));
+    let mut moved = [
         area,
         x + ox * area,
         y + oy * area,
@@ -117,6 +120,10 @@ fn integrals(pieces: &[CurvePiece], epsilon: f64) -> ([f64; 6], Option<[f64; 2]>
         xy + ox * y + oy * x + ox * oy * area,
         yy + 2.0 * oy * y + oy * oy * area,
     ];
+    for (moment, power) in moved.iter_mut().zip([2, 3, 3, 4, 4, 4]) {
+        // One factor after the other: a power could be infinite where the moment is zero.
+        *moment = (0..power).fold(*moment, |moment, _| moment * unit);
+    }
     (moved, centroid)
 }
 

@@ -21,7 +21,8 @@ use crate::geometry::derivative;
 /// Below this depth a part is narrower than the distance of two floats.
 const DEPTH: u32 = 56;
 
-/// The arc length of all pieces; its error is at most `accuracy`. NaN if a control point is not finite.
+/// The arc length of all pieces; its error is at most `accuracy`. NaN if a control point is not finite, infinite if
+/// it is too large for a number.
 #[inline]
 pub(crate) fn length(pieces: &[CurvePiece], accuracy: f64) -> f64 {
     let mut sum = 0.0;
@@ -29,7 +30,17 @@ pub(crate) fn length(pieces: &[CurvePiece], accuracy: f64) -> f64 {
         sum += leaf.length;
         true
     });
-    if finite { sum } else { f64::NAN }
+    if finite {
+        return sum;
+    }
+    // The differences of finite points may be too large.
+    let largest = pieces.iter().map(CurvePiece::largest).fold(0.0, f64::max);
+    if largest <= 1.0 || !pieces.iter().all(CurvePiece::is_finite) {
+        return f64::NAN;
+    }
+    let scaled: Vec<CurvePiece> =
+        pieces.iter().map(|piece| piece.seen_from(&alloc::vec![0.0; piece.dimension()], largest)).collect();
+    length(&scaled, accuracy / largest) * largest
 }
 
 /// The parameters up to which the curve has each of these lengths, which do not decrease; NaN if a control point is not

@@ -22,14 +22,18 @@ use crate::{CurveError, ParametricCurve, Point, Scalar};
 /// ```
 ///
 /// # Errors
-/// [`CurveError::Dimension`] if the points have not two components, [`CurveError::NotFinite`] if a control point is not
-/// finite, and those of [`Path::to_cubics`].
+/// [`CurveError::Dimension`] if the points have not two components, [`CurveError::Tolerance`] if the tolerance is not
+/// positive and finite, even if no segment needs it, [`CurveError::NotFinite`] if a control point is not finite, and those of
+/// [`Path::to_cubics`].
 pub fn to_svg<P: Point>(
     curve: &(impl ParametricCurve<Point = P> + ?Sized),
     tolerance: P::Scalar,
 ) -> Result<String, CurveError> {
     if P::DIM != 2 {
         return Err(CurveError::Dimension { expected: 2, found: P::DIM });
+    }
+    if !(tolerance > P::Scalar::ZERO && tolerance.is_finite()) {
+        return Err(CurveError::Tolerance { value: tolerance.to_f64() });
     }
     let path = Path::from_curve(curve);
     if !path.segments().iter().all(|s| s.control_points().iter().all(|&p| is_finite(p))) {

@@ -9,8 +9,14 @@ use crate::{Curvature, Point, Point3, Scalar, Surface, SurfaceDomain};
 
 /// How two surfaces meet along an edge, measured by [`Surface::joint`]: the largest figures at a number of samples.
 ///
-/// Between the samples they may be larger. Bounds for all parameters of the edge are what
-/// [`JointBounds`](crate::bspline::JointBounds) of B-spline surfaces has, with the same names.
+/// Between the samples they may be larger. [`JointBounds`](crate::bspline::JointBounds) of B-spline surfaces has bounds for
+/// all parameters of the edge: of the same gap, and of the angle between the normals, which is [`angle`](Self::angle) where
+/// the edges have the same tangent.
+///
+/// At a sample inside of the edge the limits from below and from above are measured, on the same side of the joint on
+/// both surfaces, and the larger figure counts. So a crease across the edge, as at a knot of low multiplicity, is no angle
+/// between the surfaces if both have it there, nor is a jump a gap. The limits are taken at parameters that differ from
+/// the sample by some 16 rounding errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -20,7 +26,11 @@ pub struct EdgeJoint<S> {
     /// Where it occurs: the parameter of the first surface along its edge.
     pub gap_at: S,
     /// The largest angle in radians by which the surfaces do not continue each other: 0 where the joint is smooth, π
-    /// where one folds back on the other. NaN if at no sample both surfaces have a normal.
+    /// where one folds back on the other. It is the angle from the conormal out of the first surface, the unit vector in its
+    /// tangent plane that is perpendicular to its edge, to the one into the second. So it also counts by how much the
+    /// directions of the edges differ, which they do in the presence of a gap. Where an edge is a point, or a surface leaves
+    /// its edge along the edge, it is the angle between the tangent planes, up to π/2. NaN if at no sample both surfaces have
+    /// a normal.
     pub angle: S,
     /// Where it occurs: the parameter of the first surface along its edge; NaN if the angle is.
     pub angle_at: S,
@@ -80,45 +90,25 @@ where
     A::Point: Point3,
     B: Surface<Point = A::Point> + ?Sized,
 {
-    let EdgePair { first: first_edge, second: second_edge, orientation } = pair;
-    let one = ScalarOf::<A>::ONE;
     let last = samples.max(2) - 1;
     let [mut gap, mut angle, mut curvature] = [Largest::<ScalarOf<A>>::NONE; 3];
-    // Two faces have one orientation if they are on different sides of their common edge.
-    let sides_differ = first_edge.surface_on_the_right() != second_edge.surface_on_the_right();
-    let (normals, sign) = match (sides_differ, orientation) {
-        (true, Orientation::Same) | (false, Orientation::Opposite) => (Orientation::Same, one),
-        (true, Orientation::Opposite) | (false, Orientation::Same) => (Orientation::Opposite, -one),
-    };
+    let (normals, _) = sides::<ScalarOf<A>>(pair);
     let (mut without_normal, mut without_curvature) = (0, 0);
+    let beside = beside(first.domain(), pair, second.domain())
+        .min(ScalarOf::<A>::of(0.25) / ScalarOf::<A>::from_usize(last));
     for k in 0..=last {
         let x = ScalarOf::<A>::from_usize(k) / ScalarOf::<A>::from_usize(last);
-        let (u, v) = first.domain().on_edge(first_edge, x);
-        let at = if first_edge.runs_along_u() { u } else { v };
-        let y = match orientation {
-            Orientation::Same => x,
-            Orientation::Opposite => one - x,
-        };
-        let (s, t) = second.domain().on_edge(second_edge, y);
-        gap = gap.with(distance(first.eval(u, v), second.eval(s, t)), at);
-        let (Some(n), Some(m)) = (first.normal(u, v), second.normal(s, t)) else {
-            without_normal += 1;
-            without_curvature += 1;
-            continue;
-        };
-        let outwards = conormal(first, first_edge, u, v, n).zip(conormal(second, second_edge, s, t, m));
-        let here = match outwards {
-            // One continues the other if it goes in where the other goes out.
-            Some((out, other)) => length(cross(out, other)).atan2(-dot(out, other)),
-            // On an edge that is one point there is only the plane.
-            None => length(cross(n, m)).atan2(dot(n, m).abs()),
-        };
-        angle = angle.with(here, at);
-        if let (Some(a), Some(b)) = (first.curvature(u, v), second.curvature(s, t)) {
-            curvature = curvature.with(curvature_difference(&a, &b, sign), at);
-        } else {
-            without_curvature += 1;
+        let (u, v) = first.domain().on_edge(pair.first, x);
+        let at = if pair.first.runs_along_u() { u } else { v };
+        let limits = if k == 0 || k == last { [x; 2] } else { [x - beside, x + beside] };
+        let [before, after] = limits.map(|x| Figures::at(first, pair, second, x));
+        for figures in [before, after] {
+            gap = gap.with(figures.gap, at);
+            angle = figures.angle.map_or(angle, |figure| angle.with(figure, at));
+            curvature = figures.curvature.map_or(curvature, |figure| curvature.with(figure, at));
         }
+        without_normal += usize::from(before.angle.is_none() || after.angle.is_none());
+        without_curvature += usize::from(before.curvature.is_none() || after.curvature.is_none());
     }
     EdgeJoint {
         gap: gap.value,
@@ -130,6 +120,65 @@ where
         normals,
         without_normal,
         without_curvature,
+    }
+}
+
+/// How far from a sample, as a part of the edge, both surfaces are surely on the same side of a knot that both have there:
+/// some rounding errors of the parameters.
+fn beside<S: Scalar>(first: SurfaceDomain<S>, pair: EdgePair, second: SurfaceDomain<S>) -> S {
+    let errors = [(first, pair.first), (second, pair.second)].map(|(domain, edge)| {
+        let [lo, hi] = domain.ranges()[usize::from(!edge.runs_along_u())];
+        lo.abs().max(hi.abs()) / (hi - lo)
+    });
+    S::of(16.0) * S::EPSILON * errors[0].max(errors[1]).max(S::ONE)
+}
+
+/// Whether the normals point to the same side, and the sign with which curvatures then agree.
+fn sides<S: Scalar>(pair: EdgePair) -> (Orientation, S) {
+    // Two faces have one orientation if they are on different sides of their common edge.
+    let sides_differ = pair.first.surface_on_the_right() != pair.second.surface_on_the_right();
+    match (sides_differ, pair.orientation) {
+        (true, Orientation::Same) | (false, Orientation::Opposite) => (Orientation::Same, S::ONE),
+        (true, Orientation::Opposite) | (false, Orientation::Same) => (Orientation::Opposite, -S::ONE),
+    }
+}
+
+/// The figures at one parameter, as far as there are any.
+#[derive(Clone, Copy)]
+struct Figures<S> {
+    gap: S,
+    angle: Option<S>,
+    curvature: Option<S>,
+}
+
+impl<S: Scalar> Figures<S> {
+    /// At a parameter of the first edge, as a part of it.
+    fn at<A, B>(first: &A, pair: EdgePair, second: &B, x: S) -> Self
+    where
+        A: Surface + ?Sized,
+        A::Point: Point3<Scalar = S>,
+        B: Surface<Point = A::Point> + ?Sized,
+    {
+        let (u, v) = first.domain().on_edge(pair.first, x);
+        let y = match pair.orientation {
+            Orientation::Same => x,
+            Orientation::Opposite => S::ONE - x,
+        };
+        let (s, t) = second.domain().on_edge(pair.second, y);
+        let gap = distance(first.eval(u, v), second.eval(s, t));
+        let (Some(n), Some(m)) = (first.normal(u, v), second.normal(s, t)) else {
+            return Self { gap, angle: None, curvature: None };
+        };
+        let outwards = conormal(first, pair.first, u, v, n).zip(conormal(second, pair.second, s, t, m));
+        let angle = match outwards {
+            // One continues the other if it goes in where the other goes out.
+            Some((out, other)) => length(cross(out, other)).atan2(-dot(out, other)),
+            // On an edge that is one point there is only the plane.
+            None => length(cross(n, m)).atan2(dot(n, m).abs()),
+        };
+        let curvatures = first.curvature(u, v).zip(second.curvature(s, t));
+        let curvature = curvatures.map(|(a, b)| curvature_difference(&a, &b, sides(pair).1));
+        Self { gap, angle: Some(angle), curvature }
     }
 }
 

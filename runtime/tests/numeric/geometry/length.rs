@@ -197,7 +197,11 @@ fn degenerate_curves() {
     assert_eq!(point.inv_arclen(0.0, 1e-9), 1.0);
     assert_eq!(point.arclen_parameters(3, 1e-9), [0.0, 0.0, 1.0]);
     assert_eq!(Bezier::from_points([[2.0_f64, 1.0]]).arclen(1e-9), 0.0);
-    for bad in [f64::NAN, f64::INFINITY, f64::MAX] {
+    // Finite points may be farther from each other than any number.
+    let far = Bezier::from_points([[0.0, 0.0], [f64::MAX, -f64::MAX], [-f64::MAX, f64::MAX]]);
+    assert_eq!(far.arclen(1e-9), f64::INFINITY);
+    assert!((0.0..1e-3).contains(&far.inv_arclen(1.0, 1e-9)));
+    for bad in [f64::NAN, f64::INFINITY] {
         let curve = Bezier::from_points([[0.0, 0.0], [bad, -bad], [-bad, bad]]);
         assert!(curve.arclen(1e-9).is_nan());
         assert!(curve.inv_arclen(1.0, 1e-9).is_nan());
