@@ -1,5 +1,5 @@
 // The worker as the page sees it: the newest text wins, and what does not answer is ended.
-import type { Answer, Item, Question, Reply, Verdicts } from './protocol';
+import type { Answer, Item, Part, Question, Reply, Verdicts } from './protocol';
 
 /** Milliseconds of silence after which the worker is ended. */
 const PATIENCE = 5000;
@@ -60,13 +60,14 @@ export class Engine {
 
   private start(): void {
     this.ready = false;
-    // The first one was started by the page's first script, which unpacked the engine's first data for all of them.
-    const boot = (globalThis as unknown as { basis: { worker?: Worker; data: Uint8Array<ArrayBuffer> } }).basis;
+    // The first one was started by the page's first script, which keeps the engine's parts for all of them.
+    const boot = (globalThis as unknown as { basis: { worker?: Worker; parts: Part[] } }).basis;
     this.worker = boot.worker;
     delete boot.worker;
     if (!this.worker) {
-      this.worker = new Worker('worker.js');
-      this.worker.postMessage({ kind: 'data', data: boot.data });
+      const worker = new Worker('worker.js');
+      boot.parts.forEach((part) => worker.postMessage(part));
+      this.worker = worker;
     }
     this.worker.onmessage = ({ data }: MessageEvent<Reply>) => this.hear(data);
     this.worker.onerror = (event) => this.end(event.message || 'the worker cannot be started');

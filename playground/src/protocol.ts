@@ -157,8 +157,12 @@ export type Question =
   | { kind: 'open'; version: number; text: string }
   | { kind: 'ask'; id: number; question: Record<string, unknown> };
 
-/** The same, or what the first script of the page unpacked of the engine. */
-export type Request = Question | { kind: 'data'; data: Uint8Array<ArrayBuffer> };
+/** What the first script of the page has for the worker: the packed engine with what unpacks it, and then its first data. */
+export type Part =
+  | { kind: 'engine'; packing: WebAssembly.Module; packed: ArrayBuffer }
+  | { kind: 'data'; data: Uint8Array<ArrayBuffer> };
+
+export type Request = Question | Part;
 
 /** From the worker to the page. */
 export type Reply =

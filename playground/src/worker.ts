@@ -1,8 +1,8 @@
 // The engine beside the page: answers questions, and decides the claims of the open spec in slices in between, so that a
 // newer text stops the work on an older one. The first part of the engine answers while the others are unpacked. Where it traps,
 // for it lacks a function or a text, the question is asked again when all is there.
-import type { Item, Question, Reply, Request, Verdicts } from './protocol';
-import { fetched, joined, last, next, turned, whole } from './unpack';
+import type { Item, Part, Question, Reply, Request, Verdicts } from './protocol';
+import { joined, last, next, turned, whole } from './unpack';
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -27,9 +27,12 @@ const unpacking = new MessageChannel();
 /** The first part of the engine, and then all of it; nothing between a trap of the first part and then. */
 let engine: Exports | undefined;
 let complete = false;
-/** The first data of the engine, which the page unpacks. */
-let bring: (data: Uint8Array<ArrayBuffer>) => void;
-const data = new Promise<Uint8Array<ArrayBuffer>>((resolve) => { bring = resolve; });
+/** The parts of the engine that the page brings. */
+const bring = {} as { [K in Part['kind']]: (part: Extract<Part, { kind: K }>) => void };
+const brought = {
+  engine: new Promise<Extract<Part, { kind: 'engine' }>>((resolve) => { bring.engine = resolve; }),
+  data: new Promise<Extract<Part, { kind: 'data' }>>((resolve) => { bring.data = resolve; }),
+};
 let waiting: Question[] = [];
 /** Why there is no engine. */
 let broken = '';
@@ -40,7 +43,8 @@ let job: { version: number; spent: number; reported: number; decided: number } |
 
 // The handler stands before anything is awaited: what arrives meanwhile would be lost otherwise.
 onmessage = ({ data }: MessageEvent<Request>) => {
-  if (data.kind === 'data') bring(data.data);
+  if (data.kind === 'engine') bring.engine(data);
+  else if (data.kind === 'data') bring.data(data);
   else handle(data);
 };
 deciding.port1.onmessage = slice;
@@ -139,9 +143,10 @@ function turn(): Promise<unknown> {
 
 async function load(): Promise<void> {
   try {
-    const [packing, packed] = await Promise.all(['packing.wasm', 'engine.packed'].map(fetched));
-    const { instance } = await WebAssembly.instantiate(packing!, {});
-    const first = joined(turned(instance, 'unpacked', new Uint8Array(packed!)), await data);
+    const { packing, packed } = await brought.engine;
+    const instance = await WebAssembly.instantiate(packing, {});
+    const unpacked = turned(instance, 'unpacked', new Uint8Array(packed));
+    const first = joined(unpacked, (await brought.data).data);
     await start(first.buffer, false);
     say({ kind: 'ready' });
     const later = [];
