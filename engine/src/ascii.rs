@@ -28,8 +28,8 @@ const LOWER: [(char, &str); 25] = [
     ('ω', "omega"),
 ];
 
-/// The small letter of a Latin or Greek one; others as they are. The standard library's tables of all alphabets would be a
-/// hundredth of what everyone loads who opens the page.
+/// The small letter of a Latin or Greek one; others as they are. The standard library's tables of all alphabets would
+/// be a hundredth of what everyone loads who opens the page.
 fn small(c: char) -> char {
     match c {
         'Α'..='Ω' => char::from_u32(c as u32 + ('α' as u32 - 'Α' as u32)).unwrap_or(c),

@@ -2,17 +2,10 @@
 
 use basis_prover::algebra::rational::{Rational, ToFloat as _};
 
-/// From this size on a number has digits behind the point, below it a power of ten.
-const SMALL: (i64, i64) = (1, 1000);
-
-/// A number rounded to so few digits behind the point that it can be read, a small one to another number of digits: with 6
-/// and 3 `0.333333` and `3.333e-5`.
+/// A number rounded to a number of digits behind the point, one below a thousandth with a power of ten to another
+/// number of them: with 6 and 3 `0.333333` and `3.333e-5`.
 pub(crate) fn readable(x: &Rational, places: u32, small: u32) -> String {
-    if x.is_zero() || x.abs() >= Rational::new(SMALL.0, SMALL.1) {
-        fixed(x, places)
-    } else {
-        scientific(x, small)
-    }
+    if x.is_zero() || x.abs() >= Rational::new(1, 1000) { fixed(x, places) } else { scientific(x, small) }
 }
 
 /// A number rounded to a number of digits behind the point: `0.333333`.
@@ -26,18 +19,20 @@ pub(crate) fn fixed(x: &Rational, places: u32) -> String {
 /// A number other than 0 with one digit before the point and a number of digits behind it: `3.333e-5`.
 fn scientific(x: &Rational, places: u32) -> String {
     let (digits, exponent) = leading(x, i64::from(places) + 1);
+    let digits = digits.to_string();
     let (whole, part) = digits.split_at(1);
     format!("{}{whole}.{part}e{exponent}", sign(x))
 }
 
-/// The first digits of a number other than 0, rounded, and the power of ten that the first of them stands for.
-fn leading(x: &Rational, count: i64) -> (String, i64) {
+/// The first digits of a number other than 0, rounded, as a whole number, and the power of ten that the first of them
+/// stands for.
+fn leading(x: &Rational, count: i64) -> (Rational, i64) {
     // 2^(size − 1) < |x| < 2^(size + 1), and log₁₀ 2 is about 0.30103.
     let size = x.numer().bits() as i64 - x.denom().bits() as i64;
     let mut exponent = (size - 1) * 30_103 / 100_000 - 1;
     loop {
-        let digits = scaled(x, count - 1 - exponent).to_string();
-        if digits.len() as i64 == count {
+        let digits = scaled(x, count - 1 - exponent);
+        if digits.to_string().len() as i64 == count {
             return (digits, exponent);
         }
         exponent += 1;
@@ -50,16 +45,18 @@ fn sign(x: &Rational) -> &'static str {
 
 /// The whole number nearest to |x| · 10^power, of two the larger one.
 fn scaled(x: &Rational, power: i64) -> Rational {
-    let ten = Rational::from(10).pow(power.unsigned_abs() as u32);
-    let x = if power < 0 {
-        &x.abs() * &Rational::ONE.checked_div(&ten).unwrap_or(Rational::ZERO)
-    } else {
-        &x.abs() * &ten
-    };
-    (&x + &Rational::new(1, 2)).floor()
+    (&times_power(&x.abs(), 10, power) + &Rational::new(1, 2)).floor()
 }
 
-/// The shortest decimal that a program reads as a finite `f64`, with a decimal point and without an exponent: `-0.25`, `3.0`.
+/// x · base^power
+fn times_power(x: &Rational, base: i64, power: i64) -> Rational {
+    let size = Rational::from(base).pow(power.unsigned_abs() as u32);
+    let size = if power < 0 { &Rational::ONE / &size } else { size };
+    x * &size
+}
+
+/// The shortest decimal that a program reads as a finite `f64`, with a decimal point and without an exponent: `-0.25`,
+/// `3.0`.
 pub(crate) fn of_float(x: f64) -> String {
     let (digits, exponent) = shortest(x.abs(), &|decimal| decimal.to_f64());
     format!("{}{}", minus(x), plain(&digits, exponent))
@@ -104,32 +101,27 @@ fn plain(digits: &str, exponent: i64) -> String {
     format!("{whole}.{part}")
 }
 
-/// The fewest digits that are read as a float ≥ 0, of those the ones nearest to it, and the power of ten that the first stands
-/// for. Of powers of two it may be up to two digits more.
+/// The fewest digits that are read as a float ≥ 0, of those the ones nearest to it, and the power of ten that the first
+/// stands for. Of powers of two it may be up to two digits more.
 fn shortest(float: f64, read: &dyn Fn(&Rational) -> f64) -> (String, i64) {
     if float == 0.0 {
         return (String::from("0"), 0);
     }
     let exact = exact(float);
-    let mut rounded = |count: i64| {
+    let rounded = |count: i64| {
         let (digits, exponent) = leading(&exact, count);
-        let unit = Rational::from(10).pow((exponent - count + 1).unsigned_abs() as u32);
-        let whole = Rational::parse(&digits).unwrap_or(Rational::ZERO);
-        let decimal = if exponent < count - 1 { whole.checked_div(&unit) } else { Some(&whole * &unit) };
-        decimal.is_some_and(|decimal| read(&decimal) == float).then_some((digits, exponent))
+        let is_read = read(&times_power(&digits, 10, exponent - count + 1)) == float;
+        (digits, exponent, is_read)
     };
     // Most numbers in code are short; others have nearly all digits.
-    let mut found = (1..=4).find_map(&mut rounded);
-    let (mut few, mut enough) = (5, ENOUGH);
-    while found.is_none() && few < enough {
+    let mut enough = (1..=4).find(|count| rounded(*count).2).unwrap_or(ENOUGH);
+    let mut few = enough.min(5);
+    while few < enough {
         let middle = i64::midpoint(few, enough);
-        if rounded(middle).is_some() { enough = middle } else { few = middle + 1 }
+        if rounded(middle).2 { enough = middle } else { few = middle + 1 }
     }
-    if found.is_none() {
-        found = rounded(enough);
-    }
-    let (digits, exponent) = found.unwrap_or_else(|| leading(&exact, ENOUGH));
-    (digits.trim_end_matches('0').to_string(), exponent)
+    let (digits, exponent, _) = rounded(enough);
+    (digits.to_string().trim_end_matches('0').to_string(), exponent)
 }
 
 /// As many digits tell every two floats apart.
@@ -140,10 +132,7 @@ fn exact(float: f64) -> Rational {
     let bits = float.to_bits();
     let exponent = (bits >> 52) as i64;
     let whole = bits & ((1 << 52) - 1) | u64::from(exponent > 0) << 52;
-    let power = exponent.max(1) - 1075;
-    let size = Rational::from(2).pow(power.unsigned_abs() as u32);
-    let whole = Rational::from(whole as i64);
-    if power < 0 { whole.checked_div(&size).unwrap_or(Rational::ZERO) } else { &whole * &size }
+    times_power(&Rational::from(whole as i64), 2, exponent.max(1) - 1075)
 }
 
 #[cfg(test)]
@@ -163,7 +152,8 @@ mod tests {
             let texts = [of_float(x), of_f64(x)];
             assert_eq!(texts.clone().map(|text| text.parse::<f64>()), [Ok(x), Ok(x)], "{texts:?}");
             assert!(texts.iter().all(|text| text.contains(['.', 'e'])), "{texts:?}");
-            // Below a power of two floats are nearer than above it, where there may be a shorter one that is not the nearest.
+            // Below a power of two floats are nearer than above it, where there may be a shorter one that is not the
+            // nearest.
             let more = 2 * usize::from(x.to_bits() << 12 == 0);
             let known = format!("{:?}", x + 0.0).len();
             assert!((known..=known + more).contains(&texts[1].len()), "{}", texts[1]);

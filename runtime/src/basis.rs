@@ -151,7 +151,8 @@ pub trait Basis: Copy + PartialEq + Debug {
     }
 
     /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to
-    /// rounding errors: nodes on the boundary lie on it exactly. `None` if there are none, or if the functions do not span the parameter.
+    /// rounding errors: nodes on the boundary lie on it exactly. `None` if there are none, or if the functions do not span
+    /// the parameter.
     #[cfg(feature = "elements")]
     fn nodes(&self) -> Option<Self::Points<Self::Scalar>> {
         crate::elements::interval_nodes(self)

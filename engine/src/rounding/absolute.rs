@@ -47,8 +47,8 @@ pub(super) struct Absolute {
 pub(super) const MOST_SIGNED: usize = 7;
 
 impl Absolute {
-    /// Of a step that is linear in some points, if there are any, with all choices of their signs up to so many of
-    /// them; `None` when the work is spent.
+    /// Of a step that is linear in some points, if there are any, with all choices of their signs if they are at most
+    /// `most_signed`; `None` when the work is spent.
     pub(super) fn new(
         exact: &mut Exact<'_>,
         output: usize,

@@ -439,7 +439,7 @@ impl Inputs {
     }
 }
 
-/// New variables between −1 and 1, one for each of so many control points.
+/// New variables between −1 and 1, one for each control point.
 fn with_points(ranges: &mut Vec<(Var, Range)>, points: usize) -> Vec<Var> {
     let first = ranges.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
     let points = (first..first + points).map(Var).listed();

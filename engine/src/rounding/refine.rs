@@ -71,7 +71,7 @@ impl Leaf {
         self.found.as_ref().ok().map(|(bound, _)| bound)
     }
 
-    /// Both halves along a variable, with bounds of at most so many u, if there has to be one; `None` where there are
+    /// Both halves along a variable, with bounds of at most `most` u, if there has to be one; `None` where there are
     /// none or the work is not enough for them.
     fn cut(
         &self,
@@ -127,7 +127,7 @@ impl Leaf {
     }
 }
 
-/// The bounds on cells of the ranges of all inputs; `None` if one of the cells has none. So much of the work may be
+/// The bounds on cells of the ranges of all inputs; `None` if one of the cells has none. This share of the work may be
 /// spent on smaller bounds, and all of it on one for each cell.
 pub(super) fn refined(inputs: &Inputs, share: u64, work: &mut Work, on: &mut OnCell<'_>) -> Option<Parts> {
     // On simplices everything is homogeneous, and a cell next to 0 like all of them.

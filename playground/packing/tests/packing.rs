@@ -222,7 +222,7 @@ fn repetitions_take_next_to_nothing() {
     assert!(packed.len() < 400, "{} of {} bytes", packed.len(), module.len());
 }
 
-/// A module with one function, which has two parameters and sets so many variables to 0, each `by` further than the one
+/// A module with one function, which has two parameters and sets a number of variables to 0, each `by` further than the one
 /// before it.
 fn setting(count: u64, by: u64) -> Vec<u8> {
     let mut module = b"\0asm\x01\0\0\0".to_vec();

@@ -111,7 +111,8 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
     }
 
     /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to
-    /// rounding errors: nodes on the boundary lie on it exactly. `None` if there are none, or if the functions do not span the coordinates.
+    /// rounding errors: nodes on the boundary lie on it exactly. `None` if there are none, or if the functions do not span
+    /// the coordinates.
     #[cfg(feature = "elements")]
     fn nodes(&self) -> Option<Self::Points<Self::Coordinates>> {
         crate::elements::box_nodes(self)

@@ -39,11 +39,11 @@ impl<P: Point> BSplineSurface<P> {
     /// ```
     pub fn nearest(&self, point: P, accuracy: P::Scalar) -> Option<Nearest<P, [P::Scalar; 2]>> {
         let spans = [Direction::U, Direction::V].map(|d| self.knots(d).spans().collect::<Vec<_>>());
-        let differences = self.net().map(|p| p.minus(point));
-        if !differences.as_slice().iter().all(|&p| length(p).is_finite()) {
+        let distances = self.net().map(|p| length(p.minus(point)));
+        if !distances.as_slice().iter().all(|distance| distance.is_finite()) {
             return None;
         }
-        let unit = length_unit(differences.as_slice().iter().map(|&p| length(p)));
+        let unit = length_unit(distances.as_slice().iter().copied());
         let pieces = self.pieces(point, unit);
         let epsilon = P::Scalar::EPSILON.to_f64();
         let tolerance = (0.5 * accuracy.to_f64() / unit).max(64.0 * epsilon);

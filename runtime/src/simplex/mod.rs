@@ -156,7 +156,8 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
     }
 
     /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to
-    /// rounding errors: nodes on the boundary lie on it exactly. `None` if there are none, or if the functions do not span the coordinates.
+    /// rounding errors: nodes on the boundary lie on it exactly. `None` if there are none, or if the functions do not span
+    /// the coordinates.
     #[cfg(feature = "elements")]
     fn nodes(&self) -> Option<Self::Points<Self::Coordinates>> {
         crate::elements::simplex_nodes(self)
